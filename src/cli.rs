@@ -1,0 +1,1 @@
+//! Arguments and their conversion to jobs.

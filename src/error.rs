@@ -1,0 +1,84 @@
+//! What can go wrong, one enum a boundary; [`Error`] joins them and knows the exit code.
+
+use std::path::PathBuf;
+
+use crate::gpu::GpuError;
+
+/// A scene, mesh or material file that cannot be read, or that says something impossible.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {what}", location(.file, *.line))]
+pub struct SceneError {
+    /// The file, or the name of a built-in scene.
+    pub file: PathBuf,
+    /// The line in it, counted from 1, where there is one.
+    pub line: Option<usize>,
+    /// What is wrong and what to do.
+    pub what: String,
+}
+
+impl SceneError {
+    /// An error about a whole file.
+    pub fn new(file: impl Into<PathBuf>, what: impl Into<String>) -> Self {
+        Self { file: file.into(), line: None, what: what.into() }
+    }
+
+    /// An error at a line, counted from 1.
+    pub fn at(file: impl Into<PathBuf>, line: usize, what: impl Into<String>) -> Self {
+        Self { file: file.into(), line: Some(line), what: what.into() }
+    }
+}
+
+/// An output that cannot be written.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputError {
+    /// The file name's ending is of no format we write.
+    #[error("{}: unknown image format; name the output .png or .exr", .0.display())]
+    UnknownFormat(PathBuf),
+    /// The file system or the encoder said no.
+    #[error("{}: cannot write: {why}", .file.display())]
+    Write {
+        /// The output asked for.
+        file: PathBuf,
+        /// The reason, as the system gives it.
+        why: String,
+    },
+}
+
+/// Everything that ends a command early.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The command line asks for something that cannot be done.
+    #[error("{0}")]
+    Usage(String),
+    /// The scene cannot be read.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The device cannot be used, or failed.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The result cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// `--strict` and the image is not what was asked for.
+    #[error("{0}")]
+    Strict(String),
+}
+
+impl Error {
+    /// The process's exit code: 1 failed while running, 2 usage or an unreadable scene,
+    /// 3 no usable adapter.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Usage(_) | Self::Scene(_) | Self::Output(OutputError::UnknownFormat(_)) => 2,
+            Self::Gpu(error) if error.is_missing_adapter() => 3,
+            Self::Gpu(_) | Self::Output(_) | Self::Strict(_) => 1,
+        }
+    }
+}
+
+fn location(file: &std::path::Path, line: Option<usize>) -> String {
+    match line {
+        Some(line) => format!("{}:{line}", file.display()),
+        None => file.display().to_string(),
+    }
+}

@@ -1,0 +1,100 @@
+//! What to render, and how well.
+
+/// What the image shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// Emission, direct light, and indirect light from every VPL.
+    #[default]
+    Vpl,
+    /// Emission and direct light.
+    Direct,
+    /// The geometric normal that faces the camera, in world space.
+    Normal,
+    /// The distance from the camera, in the scene file's units; 0 where nothing is hit.
+    Depth,
+    /// The surface's reflectance.
+    Albedo,
+}
+
+impl Method {
+    /// The name on the command line and in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Vpl => "vpl",
+            Self::Direct => "direct",
+            Self::Normal => "normal",
+            Self::Depth => "depth",
+            Self::Albedo => "albedo",
+        }
+    }
+
+    /// Whether light is computed at all.
+    pub fn is_lit(self) -> bool {
+        matches!(self, Self::Vpl | Self::Direct)
+    }
+}
+
+/// How many indirect bounces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bounces {
+    /// Just so many.
+    Finite(u32),
+    /// As many as Russian roulette lets live.
+    Unlimited,
+}
+
+/// What becomes of the light that comes straight from its source.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Direct {
+    /// Shadow rays from every visible point.
+    #[default]
+    PerPixel,
+    /// Left out; emission towards the camera stays.
+    Off,
+}
+
+/// The bound on the geometry term G between a visible point and a VPL.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Clamp {
+    /// From the density of the VPLs.
+    #[default]
+    Auto,
+    /// Given, in 1/length² of the scene file's units.
+    At(f64),
+    /// None.
+    Off,
+}
+
+/// All that a frame depends on beside scene, camera and seed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// What to show.
+    pub method: Method,
+    /// Light paths N.
+    pub light_paths: u32,
+    /// Indirect bounces B.
+    pub bounces: Bounces,
+    /// Direct light.
+    pub direct: Direct,
+    /// Shadow rays to area lights from each visible point; `None` chooses so that a pixel
+    /// gets 16 over all its samples.
+    pub light_samples: Option<u32>,
+    /// Bound on G.
+    pub clamp: Clamp,
+    /// Samples (visible points) per pixel.
+    pub samples: u32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            method: Method::Vpl,
+            light_paths: 2000,
+            bounces: Bounces::Finite(2),
+            direct: Direct::PerPixel,
+            light_samples: None,
+            clamp: Clamp::Auto,
+            samples: 1,
+        }
+    }
+}
