@@ -1,104 +1,41 @@
 //! The device: adapter choice, limits, buffers, kernels and passes. Knows nothing of scenes.
 
-/// What can go wrong with the device.
-#[derive(Debug, thiserror::Error)]
-pub enum GpuError {
-    /// No adapter at all.
-    #[error(
-        "no Vulkan, Metal or DirectX 12 adapter found; on Debian or Ubuntu install a driver with: apt-get install mesa-vulkan-drivers (software rendering)"
-    )]
-    NoAdapter,
-    /// None that matches.
-    #[error("no adapter matches '{wanted}'; there are: {found}")]
-    NoSuchAdapter {
-        /// What was asked for.
-        wanted: String,
-        /// The adapters there are.
-        found: String,
-    },
-    /// The adapter's limits do not allow it.
-    #[error("{what} needs {needed}, the adapter allows {available}; {advice}")]
-    Limit {
-        /// What is too large.
-        what: String,
-        /// How much it needs.
-        needed: u64,
-        /// How much there is.
-        available: u64,
-        /// What to do.
-        advice: &'static str,
-    },
-    /// The device has no memory left.
-    #[error("out of device memory while {0}; render a smaller image or fewer VPLs")]
-    OutOfMemory(String),
-    /// The device went away.
-    #[error("the device was lost while {0}")]
-    Lost(String),
-    /// The device did not finish in time.
-    #[error("the device did not finish {what} within {seconds} s")]
-    Timeout {
-        /// What it was doing.
-        what: String,
-        /// How long we waited.
-        seconds: u64,
-    },
-    /// A shader or a call that the device refuses: a fault of this program.
-    #[error("internal error: {0}")]
-    Invalid(String),
-}
+mod adapter;
+mod buffer;
+mod error;
+mod kernel;
+mod layout;
+mod pass;
+mod shader;
 
-impl GpuError {
-    /// Whether there was no adapter to use, as against one that failed.
-    pub fn is_missing_adapter(&self) -> bool {
-        matches!(self, Self::NoAdapter | Self::NoSuchAdapter { .. })
-    }
-}
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
-/// How to choose an adapter.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum AdapterChoice {
-    /// Hardware first, software as the fallback.
-    Auto,
-    /// An index of [`adapters`], or part of a name or driver in any case; `lavapipe`, `cpu`
-    /// and `software` mean the software one.
-    Named(String),
-}
+pub use adapter::{AdapterChoice, AdapterDescription, AdapterInfo, adapters};
+pub use error::GpuError;
+pub use kernel::Kernel;
+pub use layout::{
+    AreaLightRecord, CameraParams, DirectParams, MaterialRecord, NodeRecord, PointLightRecord,
+    PointRecord, ShadeParams, TriangleRecord, VisibilityParams, VplRecord,
+};
+pub use pass::{Bindings, Pass};
+pub use shader::{CATALOGUE, Linked, Module, Program, module};
 
-/// An adapter, in words.
-#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
-pub struct AdapterInfo {
-    /// Its name.
-    pub name: String,
-    /// `vulkan`, `metal` or `dx12`.
-    pub backend: String,
-    /// Driver and version.
-    pub driver: String,
-    /// `discrete`, `integrated`, `virtual`, `cpu` or `other`.
-    pub device_type: String,
-}
-
-/// One adapter as `info` shows it: its words, and its limits as (name, value) rows.
-#[derive(Debug, Clone, serde::Serialize)]
-pub struct AdapterDescription {
-    /// Its words.
-    #[serde(flatten)]
-    pub info: AdapterInfo,
-    /// The limits that bound a render, by name.
-    pub limits: Vec<(&'static str, u64)>,
-    /// The optional features that are used where present.
-    pub features: Vec<&'static str>,
-}
-
-/// All adapters of this machine, in the order in which [`AdapterChoice::Auto`] tries them.
-pub fn adapters() -> Vec<AdapterDescription> {
-    Vec::new()
-}
+/// How long one submission may take before the device counts as hung. Dispatches are sized
+/// for well under a second; the rest is for shader compilation and busy machines.
+const WAIT: Duration = Duration::from_secs(180);
 
 /// An open device.
 #[derive(Debug)]
 pub struct Gpu {
     /// What it is.
     pub info: AdapterInfo,
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    lost: Arc<AtomicBool>,
+    /// Errors that no scope caught (wgpu's default is to panic).
+    uncaptured: Arc<Mutex<Option<wgpu::Error>>>,
 }
 
 impl Gpu {
@@ -107,7 +44,80 @@ impl Gpu {
     /// # Errors
     /// There is none, none of that name, or it cannot be opened.
     pub fn open(choice: &AdapterChoice) -> Result<Self, GpuError> {
-        let _ = choice;
-        Err(GpuError::NoAdapter)
+        let adapter = adapter::choose(choice)?;
+        let info = adapter::describe(&adapter.get_info());
+        let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+            label: Some("gpu-vpl"),
+            required_features: adapter::useful_features(&adapter),
+            required_limits: adapter.limits(),
+            ..Default::default()
+        }))
+        .map_err(|error| GpuError::CannotOpen {
+            name: info.name.clone(),
+            why: error.to_string(),
+        })?;
+
+        let lost = Arc::new(AtomicBool::new(false));
+        let flag = lost.clone();
+        device.set_device_lost_callback(move |_, _| flag.store(true, Ordering::Relaxed));
+        let uncaptured = Arc::new(Mutex::new(None));
+        let slot = uncaptured.clone();
+        device.on_uncaptured_error(Arc::new(move |error| {
+            if let Ok(mut slot) = slot.lock() {
+                slot.get_or_insert(error);
+            }
+        }));
+        Ok(Self { info, device, queue, lost, uncaptured })
+    }
+
+    /// The limits of the device, which are those of the adapter.
+    pub fn limits(&self) -> wgpu::Limits {
+        self.device.limits()
+    }
+
+    /// Whether kernels that share loads across at least 8 lanes can run here.
+    pub fn has_subgroups(&self) -> bool {
+        self.device.features().contains(wgpu::Features::SUBGROUP)
+            && self.device.adapter_info().subgroup_min_size >= 8
+    }
+
+    /// Runs `work` and turns what the device complains about meanwhile into an error.
+    fn checked<T>(&self, doing: &str, work: impl FnOnce() -> T) -> Result<T, GpuError> {
+        let scopes = [
+            wgpu::ErrorFilter::Internal,
+            wgpu::ErrorFilter::OutOfMemory,
+            wgpu::ErrorFilter::Validation,
+        ]
+        .map(|filter| self.device.push_error_scope(filter));
+        let result = work();
+        // Scopes end in the reverse of the order in which they began.
+        let mut first = None;
+        for scope in scopes.into_iter().rev() {
+            first = first.or(pollster::block_on(scope.pop()));
+        }
+        let stray = self.uncaptured.lock().ok().and_then(|mut slot| slot.take());
+        if self.lost.load(Ordering::Relaxed) {
+            return Err(GpuError::Lost(doing.to_owned()));
+        }
+        match first.or(stray) {
+            None => Ok(result),
+            Some(error) => Err(GpuError::from_wgpu(error, doing)),
+        }
+    }
+
+    /// Waits for all submitted work.
+    fn wait(&self, doing: &str) -> Result<(), GpuError> {
+        let waited =
+            self.device.poll(wgpu::PollType::Wait { submission_index: None, timeout: Some(WAIT) });
+        if self.lost.load(Ordering::Relaxed) {
+            return Err(GpuError::Lost(doing.to_owned()));
+        }
+        match waited {
+            Ok(_) => Ok(()),
+            Err(wgpu::PollError::Timeout) => {
+                Err(GpuError::Timeout { what: doing.to_owned(), seconds: WAIT.as_secs() })
+            }
+            Err(error) => Err(GpuError::Invalid(format!("{doing}: {error}"))),
+        }
     }
 }

@@ -7,9 +7,11 @@
 //! scene → bvh → visible points → VPLs → visibility → shading → image
 //! ```
 
+pub mod bvh;
 pub mod cli;
 pub mod error;
 pub mod gpu;
 pub mod image;
 pub mod render;
+pub mod sampling;
 pub mod scene;

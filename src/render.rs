@@ -1,41 +1,101 @@
 //! The pipeline: what is prepared once, and the passes of a frame in their order.
 
+mod kernels;
+mod light;
 mod settings;
+mod tile;
+mod vpl;
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use crate::gpu::{Gpu, GpuError};
+use crate::bvh::Bvh;
+use crate::gpu::{Gpu, GpuError, MaterialRecord};
 use crate::image::Image;
 use crate::scene::{Camera, Scene};
 
+pub use kernels::{Kernels, all_programs};
+pub use light::Lights;
 pub use settings::{Bounces, Clamp, Direct, Method, Settings};
+pub use vpl::{LightPaths, Vpl};
 
-/// Everything that does not change from frame to frame: scene, BVH, device, kernels, buffers.
+use tile::{Indirect, TileRenderer};
+
+/// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels
+/// and the buffers of the scene.
 #[derive(Debug)]
 pub struct Prepared {
     /// The scene.
     pub scene: Scene,
     /// The device.
     pub gpu: Gpu,
-    /// Seconds spent on building the BVH, and on linking and compiling the shaders.
+    /// The hierarchy over the scene's triangles.
+    pub bvh: Bvh,
+    /// The light sources.
+    pub lights: Lights,
+    /// Time spent on building the BVH.
     pub bvh_time: Duration,
-    /// Seconds spent on linking and compiling the shaders.
+    /// Time spent on linking and compiling shaders, and on uploading the scene.
     pub pipelines_time: Duration,
+    kernels: Kernels,
+    nodes: wgpu::Buffer,
+    triangles: wgpu::Buffer,
+    materials: wgpu::Buffer,
+    area_lights: Option<wgpu::Buffer>,
+    point_lights: Option<wgpu::Buffer>,
 }
 
 impl Prepared {
-    /// Builds the BVH, links the shaders the scene and the settings need, uploads the scene.
+    /// Builds the BVH, uploads the scene, and links the shaders that the scene and the
+    /// settings need. Frames with other settings link what more they need.
     ///
     /// # Errors
     /// The device fails, or the scene does not fit it.
     pub fn new(gpu: Gpu, scene: Scene, settings: &Settings) -> Result<Self, GpuError> {
-        let _ = settings;
-        Ok(Self { scene, gpu, bvh_time: Duration::ZERO, pipelines_time: Duration::ZERO })
+        let start = Instant::now();
+        let bvh = Bvh::build(&scene.triangles);
+        let bvh_time = start.elapsed();
+
+        let start = Instant::now();
+        let lights = Lights::of(&scene);
+        let materials: Vec<_> = scene
+            .materials
+            .iter()
+            .map(|material| MaterialRecord {
+                albedo: material.albedo.to_array(),
+                two_sided: u32::from(material.two_sided),
+                emission: material.emission.to_array(),
+                pad: 0,
+            })
+            .collect();
+        let mut prepared = Self {
+            nodes: gpu.storage_of("BVH nodes", &bvh.nodes)?,
+            triangles: gpu.storage_of("triangles", &bvh.triangles)?,
+            materials: gpu.storage_of("materials", &materials)?,
+            area_lights: None,
+            point_lights: None,
+            kernels: Kernels::default(),
+            bvh_time,
+            pipelines_time: Duration::ZERO,
+            lights,
+            bvh,
+            gpu,
+            scene,
+        };
+        let (gpu, lights) = (&prepared.gpu, &prepared.lights);
+        if !lights.area.is_empty() {
+            prepared.area_lights = Some(gpu.storage_of("area lights", &lights.area)?);
+        }
+        if !lights.point.is_empty() {
+            prepared.point_lights = Some(gpu.storage_of("point lights", &lights.point)?);
+        }
+        prepared.kernels.prepare(&prepared, settings)?;
+        prepared.pipelines_time = start.elapsed();
+        Ok(prepared)
     }
 
-    /// Features of the renderer that no linked shader module or bound buffer serves.
+    /// Features that no shader module linked so far serves.
     pub fn left_out(&self) -> Vec<&'static str> {
-        Vec::new()
+        self.kernels.left_out()
     }
 }
 
@@ -50,7 +110,7 @@ pub struct Phases {
     pub vpls: Duration,
     /// Shadow rays between visible points and VPLs.
     pub visibility: Duration,
-    /// Shading every pixel by every VPL, and resolving it.
+    /// Shading every point by every VPL, and resolving points to pixels.
     pub shading: Duration,
     /// Copies from the device.
     pub readback: Duration,
@@ -75,13 +135,14 @@ pub struct Counts {
     pub visible_points: u64,
     /// VPLs deposited.
     pub vpls: u64,
-    /// Segments tested between visible points and VPLs.
+    /// Segments traced between visible points and VPLs: pairs whose cosines are both
+    /// positive.
     pub shadow_rays: u64,
-    /// Pairs of visible point and VPL that were shaded.
+    /// Pairs of visible point and VPL.
     pub shading_terms: u64,
     /// The bound on G used, in 1/length² of the scene file's units; none when off or unused.
     pub clamp: Option<f64>,
-    /// The share of the reflected indirect energy that the clamp removed.
+    /// The share of the reflected indirect light that the clamp removed.
     pub clamped_fraction: f64,
     /// Pixels that are not finite.
     pub nonfinite_pixels: u64,
@@ -112,12 +173,57 @@ pub fn frame(
     seed: u32,
     progress: Progress<'_>,
 ) -> Result<Frame, GpuError> {
-    let _ = (prepared, settings, seed, progress);
-    let [width, height] = camera.size;
-    let pixels = vec![[0.5; 3]; width as usize * height as usize];
-    Ok(Frame {
-        image: Image { width, height, pixels },
-        counts: Counts::default(),
-        phases: Phases::default(),
-    })
+    let mut phases = Phases::default();
+    let mut counts = Counts::default();
+
+    progress(0.0, "light paths");
+    let start = Instant::now();
+    let vpls = light_paths(prepared, settings, seed);
+    counts.vpls = vpls.len() as u64;
+    let indirect = indirect(prepared, settings, &vpls)?;
+    counts.clamp = indirect.as_ref().and_then(|indirect| indirect.bound).map(|bound| {
+        let scale = prepared.scene.units.scale;
+        f64::from(bound) / (scale * scale)
+    });
+    phases.vpls = start.elapsed();
+
+    let renderer = TileRenderer::new(prepared, camera, settings, seed, indirect)?;
+    let image = renderer.render(&mut phases, &mut counts, progress)?;
+    Ok(Frame { image, counts, phases })
+}
+
+/// The VPLs that the settings ask for.
+pub fn light_paths(prepared: &Prepared, settings: &Settings, seed: u32) -> Vec<Vpl> {
+    if settings.method != Method::Vpl {
+        return Vec::new();
+    }
+    LightPaths {
+        scene: &prepared.scene,
+        bvh: &prepared.bvh,
+        lights: &prepared.lights,
+        count: settings.light_paths,
+        bounces: settings.bounces,
+        seed,
+    }
+    .trace()
+}
+
+/// The VPLs on the device, and the bound on their geometry term; none without VPLs.
+fn indirect(
+    prepared: &Prepared,
+    settings: &Settings,
+    vpls: &[Vpl],
+) -> Result<Option<Indirect>, GpuError> {
+    if vpls.is_empty() {
+        return Ok(None);
+    }
+    let scale = prepared.scene.units.scale;
+    let bound = match settings.clamp {
+        Clamp::Off => None,
+        Clamp::At(bound) => Some((bound * scale * scale) as f32),
+        Clamp::Auto => vpl::density_bound(vpls, &prepared.scene),
+    };
+    let records = vpl::records(vpls, &prepared.scene);
+    let buffer = prepared.gpu.storage_of("VPLs", &records)?;
+    Ok(Some(Indirect { count: vpls.len() as u32, buffer, bound }))
 }

@@ -98,3 +98,17 @@ impl Default for Settings {
         }
     }
 }
+
+impl Settings {
+    /// Whether there is indirect light to gather.
+    pub fn traces_light_paths(&self) -> bool {
+        self.method == Method::Vpl && self.bounces != Bounces::Finite(0)
+    }
+
+    /// Shadow rays to area lights from each visible point.
+    pub fn light_samples_per_point(&self) -> u32 {
+        /// A pixel gets so many over all its samples, unless the user says otherwise.
+        const PER_PIXEL: u32 = 16;
+        self.light_samples.unwrap_or(PER_PIXEL.div_ceil(self.samples)).max(1)
+    }
+}

@@ -1,0 +1,77 @@
+// Irradiance from the emitting triangles, by a stratified sample set: the light by its
+// power, the position uniform on it.
+
+struct DirectParams {
+    points: u32,
+    lights: u32,
+    first: u32,
+    count: u32,
+    seed: u32,
+    first_block: u32,
+    offset: f32,
+    nodes: u32,
+    weight: f32,
+    pad0: u32,
+    pad1: u32,
+    pad2: u32,
+}
+
+struct AreaLight {
+    corner: vec3f,
+    before: f32,
+    edge1: vec3f,
+    probability: f32,
+    edge2: vec3f,
+    two_sided: u32,
+    normal: vec3f,
+    area: f32,
+    radiance: vec3f,
+    pad: f32,
+}
+
+@group(0) @binding(0) var<uniform> params: DirectParams;
+@group(0) @binding(4) var<storage, read> points: array<Point>;
+@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
+@group(0) @binding(9) var<storage, read> lights: array<AreaLight>;
+
+// The light whose interval of probability holds u.
+fn choose(u: f32) -> u32 {
+    var low = 0u;
+    var high = params.lights;
+    while high - low > 1u {
+        let middle = (low + high) / 2u;
+        if lights[middle].before <= u { low = middle; } else { high = middle; }
+    }
+    return low;
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= params.points { return; }
+    let point = points[id.x];
+    if point.surface == NOTHING { return; }
+    let origin = point.position + params.offset * point.normal;
+    let stream = hash(hash(params.first_block * 64u + id.x) + params.seed) ^ 0x5bd1e995u;
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < params.count; i++) {
+        var u = scrambled(params.first + i, stream);
+        let light = lights[choose(u.x)];
+        u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
+        // The square root makes the density uniform and keeps strata whole.
+        let root = sqrt(u.x);
+        let on_light = light.corner + light.edge1 * (root * (1.0 - u.y)) + light.edge2 * (root * u.y);
+        let to_light = on_light - point.position;
+        let square = dot(to_light, to_light);
+        let cosine = dot(to_light, point.normal);
+        let facing = -dot(to_light, light.normal);
+        let emitted = select(facing, abs(facing), light.two_sided != 0u);
+        if cosine <= 0.0 || emitted <= 0.0 { continue; }
+        // The segment ends as far before the light as it starts before the point.
+        let end = on_light + light.normal * (sign(facing) * params.offset);
+        let hit = traverse(origin, end - origin, 1.0, params.nodes, true);
+        if hit.triangle == NOTHING {
+            sum += light.radiance * (cosine * emitted * light.area / (square * square * light.probability));
+        }
+    }
+    irradiance[id.x] += vec4f(sum * params.weight, 0.0);
+}

@@ -1,0 +1,50 @@
+// Owen-scrambled Sobol points in two dimensions, a sequence a pixel.
+// Burley, "Practical Hash-based Owen Scrambling", JCGT 2020; the hash is Vegdahl's.
+
+// The 2D sequence is a (0, 2)-sequence: every aligned run of 2^k points is stratified.
+fn sobol(index: u32) -> vec2u {
+    var y = 0u;
+    var column = 0x80000000u;
+    for (var i = index; i != 0u; i >>= 1u) {
+        if (i & 1u) != 0u { y ^= column; }
+        column ^= column >> 1u;
+    }
+    return vec2u(reverseBits(index), y);
+}
+
+fn hash(x: u32) -> u32 {
+    var h = x ^ (x >> 16u);
+    h *= 0x7feb352du;
+    h ^= h >> 15u;
+    h *= 0x846ca68bu;
+    return h ^ (h >> 16u);
+}
+
+fn owen(x: u32, seed: u32) -> u32 {
+    var v = reverseBits(x);
+    v ^= v * 0x3d20adeau;
+    v += seed;
+    v *= (seed >> 16u) | 1u;
+    v ^= v * 0x05526c56u;
+    v ^= v * 0x53a22864u;
+    return reverseBits(v);
+}
+
+// Point `index` of the sequence that `seed` scrambles, in [0, 1)^2.
+fn scrambled(index: u32, seed: u32) -> vec2f {
+    // Shuffling the index decorrelates sequences used side by side.
+    let p = sobol(reverseBits(owen(reverseBits(index), hash(seed))));
+    let q = vec2u(owen(p.x, hash(seed ^ 0x9e3779b9u)), owen(p.y, hash(seed ^ 0x3c6ef372u)));
+    return vec2f(q >> vec2u(8u)) * (1.0 / 16777216.0);
+}
+
+// The pixel of a point: blocks of 8 x 8 in rows, Morton order inside, so that neighbouring
+// points are neighbouring pixels.
+fn pixel_of(point: u32, first_block: u32, width: u32) -> vec2u {
+    let across = (width + 7u) / 8u;
+    let block = first_block + point / 64u;
+    let i = point % 64u;
+    let x = (i & 1u) | ((i >> 1u) & 2u) | ((i >> 2u) & 4u);
+    let y = ((i >> 1u) & 1u) | ((i >> 2u) & 2u) | ((i >> 3u) & 4u);
+    return vec2u((block % across) * 8u + x, (block / across) * 8u + y);
+}

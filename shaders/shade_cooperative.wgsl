@@ -1,0 +1,138 @@
+// Irradiance at every point from the VPLs that its row sees.
+//
+// A lane holds 4 points. Eight lanes load eight VPLs together, one each, and broadcast them,
+// so that a VPL is loaded once for 32 pairs. No lane returns early: a subgroup shares its
+// loads. The adapter may have subgroups of any width from 8.
+
+struct ShadeParams {
+    points: u32,
+    rows: u32,
+    matrix_word: u32,
+    words: u32,
+    bound: f32,
+    pad0: u32,
+    pad1: u32,
+    pad2: u32,
+}
+
+@group(0) @binding(0) var<uniform> params: ShadeParams;
+@group(0) @binding(4) var<storage, read> points: array<Point>;
+@group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
+@group(0) @binding(6) var<storage, read> bits: array<u32>;
+// In w, the mean of the channels that the bound removed.
+@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
+
+// What one VPL gives to one point, if the lowest bit is set.
+fn pair(x: Point, position: vec3f, normal: vec3f, light: vec4f, seen: u32) -> vec4f {
+    let d = position - x.position;
+    let square = dot(d, d);
+    let cosines = max(dot(d, x.normal), 0.0) * max(-dot(d, normal), 0.0);
+    // Never 0 / 0: a VPL at the point itself has cosines 0 and gives nothing.
+    let g = select(0.0, cosines / max(square * square, 1e-37), seen != 0u);
+    return light * vec4f(vec3f(kept(g, params.bound)), removed(g, params.bound));
+}
+
+@compute @workgroup_size(64)
+fn main(
+    @builtin(global_invocation_id) id: vec3u,
+    @builtin(subgroup_invocation_id) invocation: u32,
+) {
+    let lane = invocation & 7u;
+    let last = params.points - 1u;
+    let i0 = min(4u * id.x, last);
+    let i1 = min(4u * id.x + 1u, last);
+    let i2 = min(4u * id.x + 2u, last);
+    let i3 = min(4u * id.x + 3u, last);
+    let x0 = points[i0];
+    let x1 = points[i1];
+    let x2 = points[i2];
+    let x3 = points[i3];
+    var total0 = vec4f(0.0);
+    var total1 = vec4f(0.0);
+    var total2 = vec4f(0.0);
+    var total3 = vec4f(0.0);
+    for (var word = 0u; word < params.words; word++) {
+        let row = word * params.rows;
+        var b0 = bits[row + i0];
+        var b1 = bits[row + i1];
+        var b2 = bits[row + i2];
+        var b3 = bits[row + i3];
+        // A sum a word, then the sum of those, keeps rounding small over many VPLs.
+        var sum0 = vec4f(0.0);
+        var sum1 = vec4f(0.0);
+        var sum2 = vec4f(0.0);
+        var sum3 = vec4f(0.0);
+        for (var batch = 0u; batch < 32u; batch += 8u) {
+            let vpl = vpls[32u * (params.matrix_word + word) + batch + lane];
+            let light = vec4f(vpl.intensity, vpl.mean);
+            let p0 = subgroupBroadcast(vpl.position, 0u);
+            let n0 = subgroupBroadcast(vpl.normal, 0u);
+            let l0 = subgroupBroadcast(light, 0u);
+            sum0 += pair(x0, p0, n0, l0, b0 & 1u);
+            sum1 += pair(x1, p0, n0, l0, b1 & 1u);
+            sum2 += pair(x2, p0, n0, l0, b2 & 1u);
+            sum3 += pair(x3, p0, n0, l0, b3 & 1u);
+            let p1 = subgroupBroadcast(vpl.position, 1u);
+            let n1 = subgroupBroadcast(vpl.normal, 1u);
+            let l1 = subgroupBroadcast(light, 1u);
+            sum0 += pair(x0, p1, n1, l1, b0 & 2u);
+            sum1 += pair(x1, p1, n1, l1, b1 & 2u);
+            sum2 += pair(x2, p1, n1, l1, b2 & 2u);
+            sum3 += pair(x3, p1, n1, l1, b3 & 2u);
+            let p2 = subgroupBroadcast(vpl.position, 2u);
+            let n2 = subgroupBroadcast(vpl.normal, 2u);
+            let l2 = subgroupBroadcast(light, 2u);
+            sum0 += pair(x0, p2, n2, l2, b0 & 4u);
+            sum1 += pair(x1, p2, n2, l2, b1 & 4u);
+            sum2 += pair(x2, p2, n2, l2, b2 & 4u);
+            sum3 += pair(x3, p2, n2, l2, b3 & 4u);
+            let p3 = subgroupBroadcast(vpl.position, 3u);
+            let n3 = subgroupBroadcast(vpl.normal, 3u);
+            let l3 = subgroupBroadcast(light, 3u);
+            sum0 += pair(x0, p3, n3, l3, b0 & 8u);
+            sum1 += pair(x1, p3, n3, l3, b1 & 8u);
+            sum2 += pair(x2, p3, n3, l3, b2 & 8u);
+            sum3 += pair(x3, p3, n3, l3, b3 & 8u);
+            let p4 = subgroupBroadcast(vpl.position, 4u);
+            let n4 = subgroupBroadcast(vpl.normal, 4u);
+            let l4 = subgroupBroadcast(light, 4u);
+            sum0 += pair(x0, p4, n4, l4, b0 & 16u);
+            sum1 += pair(x1, p4, n4, l4, b1 & 16u);
+            sum2 += pair(x2, p4, n4, l4, b2 & 16u);
+            sum3 += pair(x3, p4, n4, l4, b3 & 16u);
+            let p5 = subgroupBroadcast(vpl.position, 5u);
+            let n5 = subgroupBroadcast(vpl.normal, 5u);
+            let l5 = subgroupBroadcast(light, 5u);
+            sum0 += pair(x0, p5, n5, l5, b0 & 32u);
+            sum1 += pair(x1, p5, n5, l5, b1 & 32u);
+            sum2 += pair(x2, p5, n5, l5, b2 & 32u);
+            sum3 += pair(x3, p5, n5, l5, b3 & 32u);
+            let p6 = subgroupBroadcast(vpl.position, 6u);
+            let n6 = subgroupBroadcast(vpl.normal, 6u);
+            let l6 = subgroupBroadcast(light, 6u);
+            sum0 += pair(x0, p6, n6, l6, b0 & 64u);
+            sum1 += pair(x1, p6, n6, l6, b1 & 64u);
+            sum2 += pair(x2, p6, n6, l6, b2 & 64u);
+            sum3 += pair(x3, p6, n6, l6, b3 & 64u);
+            let p7 = subgroupBroadcast(vpl.position, 7u);
+            let n7 = subgroupBroadcast(vpl.normal, 7u);
+            let l7 = subgroupBroadcast(light, 7u);
+            sum0 += pair(x0, p7, n7, l7, b0 & 128u);
+            sum1 += pair(x1, p7, n7, l7, b1 & 128u);
+            sum2 += pair(x2, p7, n7, l7, b2 & 128u);
+            sum3 += pair(x3, p7, n7, l7, b3 & 128u);
+            b0 >>= 8u;
+            b1 >>= 8u;
+            b2 >>= 8u;
+            b3 >>= 8u;
+        }
+        total0 += sum0;
+        total1 += sum1;
+        total2 += sum2;
+        total3 += sum3;
+    }
+    if 4u * id.x < params.points { irradiance[i0] += total0; }
+    if 4u * id.x + 1u < params.points { irradiance[i1] += total1; }
+    if 4u * id.x + 2u < params.points { irradiance[i2] += total2; }
+    if 4u * id.x + 3u < params.points { irradiance[i3] += total3; }
+}

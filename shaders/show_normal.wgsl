@@ -1,0 +1,11 @@
+// The geometric normal that faces the camera.
+
+@group(0) @binding(4) var<storage, read> points: array<Point>;
+@group(0) @binding(8) var<storage, read_write> film: array<vec4f>;
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&film) { return; }
+    if points[id.x].surface == NOTHING { return; }
+    film[id.x] += vec4f(points[id.x].normal, 0.0);
+}

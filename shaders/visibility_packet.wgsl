@@ -1,0 +1,231 @@
+// Which rows (points) see which VPLs: a bit each, 32 VPLs a word.
+//
+// A packet is what a subgroup holds: 4 neighbouring points a lane, all seen from one VPL. The
+// packet goes through the hierarchy as one. A box is tested against the bounds of all its
+// segments, by interval arithmetic as in Wald et al., "Ray Tracing Deformable Scenes using
+// Dynamic Bounding Volume Hierarchies", 2007, and a leaf's triangles against each segment.
+// The common origin makes most of the triangle test the same for all. Nodes and triangles
+// are loaded by eight lanes together, a word each.
+//
+// No lane returns early: a subgroup shares its loads.
+
+struct VisibilityParams {
+    rows: u32,
+    vpls: u32,
+    first_word: u32,
+    matrix_word: u32,
+    offset: f32,
+    nodes: u32,
+    pad0: u32,
+    pad1: u32,
+}
+
+@group(0) @binding(0) var<uniform> params: VisibilityParams;
+@group(0) @binding(1) var<storage, read> nodes: array<f32>;
+@group(0) @binding(2) var<storage, read> triangles: array<f32>;
+@group(0) @binding(4) var<storage, read> points: array<Point>;
+@group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
+@group(0) @binding(6) var<storage, read_write> bits: array<u32>;
+// Rays traced, in two words.
+@group(0) @binding(10) var<storage, read_write> counter: array<atomic<u32>, 2>;
+
+const HUGE = 1e30;
+const WIDEN = 1.000001;
+
+// The bounds of a packet's segments, seen from their origin: reciprocals of the ends of each
+// axis where a slab is entered or left, as far as these exist.
+struct Shaft {
+    origin: vec3f,
+    // 1 / high where high > 0, 1 / low where low < 0; elsewhere beyond reach.
+    enter_up: vec3f,
+    enter_down: vec3f,
+    // 1 / low where low > 0, 1 / high where high < 0; elsewhere 0, with `never` set.
+    leave_up: vec3f,
+    leave_down: vec3f,
+    never_up: vec3f,
+    never_down: vec3f,
+}
+
+fn shaft(origin: vec3f, low: vec3f, high: vec3f) -> Shaft {
+    let up = high > vec3f(1.0 / HUGE);
+    let down = low < vec3f(-1.0 / HUGE);
+    let all_up = low > vec3f(1.0 / HUGE);
+    let all_down = high < vec3f(-1.0 / HUGE);
+    return Shaft(
+        origin,
+        select(vec3f(HUGE), 1.0 / high, up),
+        select(vec3f(-HUGE), 1.0 / low, down),
+        select(vec3f(0.0), 1.0 / low, all_up),
+        select(vec3f(0.0), 1.0 / high, all_down),
+        select(vec3f(HUGE), vec3f(0.0), all_up),
+        select(vec3f(HUGE), vec3f(0.0), all_down),
+    );
+}
+
+// Whether some segment of the shaft may meet the box.
+fn may_meet(s: Shaft, box_low: vec3f, box_high: vec3f) -> bool {
+    let low = box_low - s.origin;
+    let high = box_high - s.origin;
+    let enter = max(low * s.enter_up, high * s.enter_down);
+    let leave = min(high * s.leave_up + s.never_up, low * s.leave_down + s.never_down);
+    let near = max(max(enter.x, enter.y), max(enter.z, 0.0));
+    let far = min(min(leave.x, leave.y), min(leave.z, 1.0));
+    return near <= far * WIDEN;
+}
+
+// The plane of a triangle and its edges, relative to the origin of a packet.
+struct Blocker {
+    bc: vec3f,
+    ca: vec3f,
+    ab: vec3f,
+    normal: vec3f,
+    height: f32,
+}
+
+fn blocker(a: vec3f, b: vec3f, c: vec3f) -> Blocker {
+    let normal = cross(b - a, c - a);
+    return Blocker(
+        cross(c - b, c + b),
+        cross(a - c, a + c),
+        cross(b - a, b + a),
+        normal,
+        dot(normal, a),
+    );
+}
+
+// Whether the segment from the origin along d (0 < t < 1) meets the triangle: the test of
+// traverse.wgsl without its division.
+fn blocks(k: Blocker, d: vec3f) -> bool {
+    let u = dot(k.bc, d);
+    let v = dot(k.ca, d);
+    let w = dot(k.ab, d);
+    let speed = dot(k.normal, d);
+    let one_side = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
+    // 0 < height / speed < 1
+    let between = k.height * speed > 0.0 && abs(k.height) < abs(speed);
+    return one_side && between;
+}
+
+@compute @workgroup_size(64)
+fn main(
+    @builtin(global_invocation_id) id: vec3u,
+    @builtin(subgroup_invocation_id) invocation: u32,
+) {
+    let lane = invocation & 7u;
+    let word = params.first_word + id.y;
+    let first = min(4u * id.x, params.rows - 1u);
+    let last = params.rows - 1u;
+    let p0 = points[first];
+    let p1 = points[min(first + 1u, last)];
+    let p2 = points[min(first + 2u, last)];
+    let p3 = points[min(first + 3u, last)];
+    let e0 = p0.position + params.offset * p0.normal;
+    let e1 = p1.position + params.offset * p1.normal;
+    let e2 = p2.position + params.offset * p2.normal;
+    let e3 = p3.position + params.offset * p3.normal;
+    let is0 = 4u * id.x <= last && p0.surface != NOTHING;
+    let is1 = first + 1u <= last && p1.surface != NOTHING;
+    let is2 = first + 2u <= last && p2.surface != NOTHING;
+    let is3 = first + 3u <= last && p3.surface != NOTHING;
+    // Bounds of the packet's ends; a point that is not there counts as none.
+    let top = vec3f(HUGE);
+    let low = subgroupMin(min(
+        min(select(top, e0, is0), select(top, e1, is1)),
+        min(select(top, e2, is2), select(top, e3, is3)),
+    ));
+    let high = subgroupMax(max(
+        max(select(-top, e0, is0), select(-top, e1, is1)),
+        max(select(-top, e2, is2), select(-top, e3, is3)),
+    ));
+
+    var seen0 = 0u;
+    var seen1 = 0u;
+    var seen2 = 0u;
+    var seen3 = 0u;
+    var rays = 0u;
+    let count = min(32u, params.vpls - 32u * word);
+    for (var i = 0u; i < count; i++) {
+        let vpl = vpls[32u * word + i];
+        let origin = vpl.position + params.offset * vpl.normal;
+        let d0 = e0 - origin;
+        let d1 = e1 - origin;
+        let d2 = e2 - origin;
+        let d3 = e3 - origin;
+        // Pairs with a cosine <= 0 trace no ray.
+        let b0 = p0.position - vpl.position;
+        let b1 = p1.position - vpl.position;
+        let b2 = p2.position - vpl.position;
+        let b3 = p3.position - vpl.position;
+        var open0 = is0 && dot(b0, p0.normal) < 0.0 && dot(b0, vpl.normal) > 0.0;
+        var open1 = is1 && dot(b1, p1.normal) < 0.0 && dot(b1, vpl.normal) > 0.0;
+        var open2 = is2 && dot(b2, p2.normal) < 0.0 && dot(b2, vpl.normal) > 0.0;
+        var open3 = is3 && dot(b3, p3.normal) < 0.0 && dot(b3, vpl.normal) > 0.0;
+        rays += u32(open0) + u32(open1) + u32(open2) + u32(open3);
+
+        let s = shaft(origin, low - origin, high - origin);
+        let none = !subgroupAny(open0 || open1 || open2 || open3);
+        var at = select(0u, params.nodes, none);
+        while at < params.nodes {
+            // Down to the next leaf that the packet may meet.
+            var leaf = 0u;
+            while at < params.nodes {
+                let loaded = nodes[8u * at + lane];
+                let box_low = vec3f(
+                    subgroupBroadcast(loaded, 0u),
+                    subgroupBroadcast(loaded, 1u),
+                    subgroupBroadcast(loaded, 2u),
+                );
+                let skip = bitcast<u32>(subgroupBroadcast(loaded, 3u));
+                let box_high = vec3f(
+                    subgroupBroadcast(loaded, 4u),
+                    subgroupBroadcast(loaded, 5u),
+                    subgroupBroadcast(loaded, 6u),
+                );
+                let met = may_meet(s, box_low, box_high);
+                leaf = select(0u, bitcast<u32>(subgroupBroadcast(loaded, 7u)), met);
+                at = select(skip, at + 1u, met);
+                if leaf != 0u { break; }
+            }
+            let end = leaf / 8u + leaf % 8u;
+            for (var j = leaf / 8u; j < end; j++) {
+                let head = triangles[12u * j + lane];
+                let tail = triangles[12u * j + 8u + (lane & 3u)];
+                let k = blocker(
+                    vec3f(
+                        subgroupBroadcast(head, 0u),
+                        subgroupBroadcast(head, 1u),
+                        subgroupBroadcast(head, 2u),
+                    ) - origin,
+                    vec3f(
+                        subgroupBroadcast(head, 4u),
+                        subgroupBroadcast(head, 5u),
+                        subgroupBroadcast(head, 6u),
+                    ) - origin,
+                    vec3f(
+                        subgroupBroadcast(tail, 0u),
+                        subgroupBroadcast(tail, 1u),
+                        subgroupBroadcast(tail, 2u),
+                    ) - origin,
+                );
+                open0 = open0 && !blocks(k, d0);
+                open1 = open1 && !blocks(k, d1);
+                open2 = open2 && !blocks(k, d2);
+                open3 = open3 && !blocks(k, d3);
+            }
+            if !subgroupAny(open0 || open1 || open2 || open3) { break; }
+        }
+        seen0 |= u32(open0) << i;
+        seen1 |= u32(open1) << i;
+        seen2 |= u32(open2) << i;
+        seen3 |= u32(open3) << i;
+    }
+
+    let row = 4u * id.x;
+    let at = (word - params.matrix_word) * params.rows + row;
+    if row < params.rows { bits[at] = seen0; }
+    if row + 1u < params.rows { bits[at + 1u] = seen1; }
+    if row + 2u < params.rows { bits[at + 2u] = seen2; }
+    if row + 3u < params.rows { bits[at + 3u] = seen3; }
+    let before = atomicAdd(&counter[0], rays);
+    if before + rays < before { atomicAdd(&counter[1], 1u); }
+}

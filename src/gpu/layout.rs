@@ -1,0 +1,222 @@
+//! The records that host and shaders share. A test holds each against naga's layout of the
+//! WGSL struct of the same name.
+
+use bytemuck::{Pod, Zeroable};
+
+/// A BVH node in depth-first order, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct NodeRecord {
+    /// Lower corner of the bounds.
+    pub low: [f32; 3],
+    /// The node that follows this subtree; the number of nodes after the last.
+    pub skip: u32,
+    /// Upper corner of the bounds.
+    pub high: [f32; 3],
+    /// 8 · first triangle + number of triangles; 0 for an inner node.
+    pub leaf: u32,
+}
+
+/// A triangle in leaf order, 48 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct TriangleRecord {
+    /// First corner.
+    pub a: [f32; 3],
+    /// Index of the material.
+    pub material: u32,
+    /// Second corner.
+    pub b: [f32; 3],
+    /// Index of the triangle in the scene.
+    pub index: u32,
+    /// Third corner.
+    pub c: [f32; 3],
+    /// Unused.
+    pub pad: u32,
+}
+
+/// A diffuse material, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct MaterialRecord {
+    /// Reflectance per channel.
+    pub albedo: [f32; 3],
+    /// Whether both sides emit.
+    pub two_sided: u32,
+    /// Emitted radiance.
+    pub emission: [f32; 3],
+    /// Unused.
+    pub pad: u32,
+}
+
+/// A visible point (or the representative of a cluster of them), 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PointRecord {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// Material, with the top bit set if the front of the surface is seen; all ones if the
+    /// camera ray hit nothing.
+    pub surface: u32,
+    /// Geometric normal, facing the camera.
+    pub normal: [f32; 3],
+    /// Distance from the camera.
+    pub depth: f32,
+}
+
+impl PointRecord {
+    /// [`PointRecord::surface`] of a camera ray that hit nothing.
+    pub const NOTHING: u32 = u32::MAX;
+}
+
+/// A virtual point light, 48 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct VplRecord {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// Unused.
+    pub pad0: f32,
+    /// Unit normal of the side that it lights.
+    pub normal: [f32; 3],
+    /// Unused.
+    pub pad1: f32,
+    /// Intensity along the normal: exitant flux over π.
+    pub intensity: [f32; 3],
+    /// Mean of the channels of `intensity`.
+    pub mean: f32,
+}
+
+/// A point light, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PointLightRecord {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// Unused.
+    pub pad0: f32,
+    /// Radiant intensity, the same in all directions.
+    pub intensity: [f32; 3],
+    /// Unused.
+    pub pad1: f32,
+}
+
+/// An emitting triangle, 80 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct AreaLightRecord {
+    /// First corner.
+    pub corner: [f32; 3],
+    /// The probability of all lights before this one.
+    pub before: f32,
+    /// Second corner minus the first.
+    pub edge1: [f32; 3],
+    /// The probability of this light.
+    pub probability: f32,
+    /// Third corner minus the first.
+    pub edge2: [f32; 3],
+    /// Whether both sides emit.
+    pub two_sided: u32,
+    /// Unit normal of the emitting side.
+    pub normal: [f32; 3],
+    /// The area.
+    pub area: f32,
+    /// Emitted radiance.
+    pub radiance: [f32; 3],
+    /// Unused.
+    pub pad: f32,
+}
+
+/// Parameters of the camera pass.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct CameraParams {
+    /// The pinhole.
+    pub position: [f32; 3],
+    /// Width of the image in pixels.
+    pub width: u32,
+    /// Unit viewing direction.
+    pub forward: [f32; 3],
+    /// Height of the image in pixels.
+    pub height: u32,
+    /// Half the image's width at distance 1.
+    pub right: [f32; 3],
+    /// First 8 × 8 block of the tile.
+    pub first_block: u32,
+    /// Half the image's height at distance 1.
+    pub up: [f32; 3],
+    /// Which sample of each pixel.
+    pub sample: u32,
+    /// Samples a pixel.
+    pub samples: u32,
+    /// Seed of the frame.
+    pub seed: u32,
+    /// Blocks of the tile.
+    pub blocks: u32,
+    /// Number of BVH nodes.
+    pub nodes: u32,
+}
+
+/// Parameters of the direct-light passes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct DirectParams {
+    /// Points of the tile.
+    pub points: u32,
+    /// Lights in the buffer.
+    pub lights: u32,
+    /// The first point light, or the first sample of the pixel's sequence, of this dispatch.
+    pub first: u32,
+    /// Point lights, or samples, of this dispatch.
+    pub count: u32,
+    /// Seed of the frame.
+    pub seed: u32,
+    /// First 8 × 8 block of the tile.
+    pub first_block: u32,
+    /// Distance by which shadow rays are kept off surfaces.
+    pub offset: f32,
+    /// Number of BVH nodes.
+    pub nodes: u32,
+    /// One over all samples.
+    pub weight: f32,
+    /// Unused.
+    pub pad: [u32; 3],
+}
+
+/// Parameters of the visibility pass.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct VisibilityParams {
+    /// Rows of the bit matrix: points that trace rays.
+    pub rows: u32,
+    /// VPLs in the buffer.
+    pub vpls: u32,
+    /// The first word (of 32 VPLs) of this dispatch, in the VPL buffer.
+    pub first_word: u32,
+    /// The word of the VPL buffer that is the matrix's first.
+    pub matrix_word: u32,
+    /// Distance by which shadow rays are kept off surfaces.
+    pub offset: f32,
+    /// Number of BVH nodes.
+    pub nodes: u32,
+    /// Unused.
+    pub pad: [u32; 2],
+}
+
+/// Parameters of the shading pass.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct ShadeParams {
+    /// Points of the tile.
+    pub points: u32,
+    /// Rows of the bit matrix.
+    pub rows: u32,
+    /// The word of the VPL buffer that is the matrix's first.
+    pub matrix_word: u32,
+    /// Words in the matrix.
+    pub words: u32,
+    /// The bound on G.
+    pub bound: f32,
+    /// Unused.
+    pub pad: [u32; 3],
+}

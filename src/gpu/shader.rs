@@ -1,0 +1,122 @@
+//! Shaders as ordered lists of WGSL files. What a scene does not need is not in the list.
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+use super::GpuError;
+
+/// One WGSL file.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Module {
+    /// The file's name without its ending.
+    pub name: &'static str,
+    /// Its text.
+    pub source: &'static str,
+    /// The feature of a scene or of the settings without which it is left out.
+    pub feature: Option<&'static str>,
+}
+
+macro_rules! modules {
+    (@feature) => { None };
+    (@feature $feature:literal) => { Some($feature) };
+    ($($constant:ident = $name:literal $(for $feature:literal)?;)*) => {
+        $(
+            #[doc = concat!("`shaders/", $name, ".wgsl`")]
+            pub static $constant: Module = Module {
+                name: $name,
+                source: include_str!(concat!("../../shaders/", $name, ".wgsl")),
+                feature: modules!(@feature $($feature)?),
+            };
+        )*
+        /// Every module that some scene links.
+        pub static CATALOGUE: &[&Module] = &[$(&$constant),*];
+    };
+}
+
+/// The modules, by the names of their files.
+pub mod module {
+    use super::Module;
+
+    modules! {
+        SUBGROUPS = "subgroups";
+        TYPES = "types";
+        SAMPLING = "sampling";
+        TRAVERSE = "traverse";
+        VISIBLE = "visible_points";
+        DIRECT_POINT = "direct_point" for "point lights";
+        DIRECT_AREA = "direct_area" for "area lights";
+        VISIBILITY = "visibility" for "indirect light";
+        VISIBILITY_PACKET = "visibility_packet" for "indirect light";
+        SHADE = "shade" for "indirect light";
+        SHADE_COOPERATIVE = "shade_cooperative" for "indirect light";
+        PAIR_BOUNDED = "pair_bounded" for "clamp";
+        PAIR_UNBOUNDED = "pair_unbounded";
+        EMIT = "emit" for "emission";
+        REFLECT = "reflect" for "reflection";
+        REMOVED = "removed" for "clamp";
+        SHOW_NORMAL = "show_normal" for "normal";
+        SHOW_DEPTH = "show_depth" for "depth";
+        SHOW_ALBEDO = "show_albedo" for "albedo";
+    }
+}
+
+pub use module::CATALOGUE;
+
+/// The files of a kernel, in order.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Program {
+    /// The kernel's name in reports and debuggers.
+    pub label: &'static str,
+    /// Its files; the last has the entry point `main`.
+    pub modules: Vec<&'static Module>,
+}
+
+/// A program that has been parsed and validated.
+#[derive(Debug)]
+pub struct Linked {
+    /// The whole source.
+    pub source: String,
+    /// naga's form of it.
+    pub module: naga::Module,
+    /// Name and binding of each resource that the entry point uses, all of group 0.
+    pub bindings: Vec<(String, u32)>,
+}
+
+impl Program {
+    /// Joins the files, parses and validates them, and finds what they bind.
+    ///
+    /// # Errors
+    /// A file does not parse, or the whole is not valid: a fault of this program, named with
+    /// file and line.
+    pub fn link(&self) -> Result<Linked, GpuError> {
+        let source = self.modules.iter().map(|m| m.source).collect::<Vec<_>>().join("\n");
+        let module = naga::front::wgsl::parse_str(&source).map_err(|error| {
+            let line = error.location(&source).map_or(0, |l| l.line_number as usize);
+            GpuError::Invalid(format!("{}: {}", self.place(line), error.message()))
+        })?;
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::SUBGROUP);
+        let info = validator.validate(&module).map_err(|error| {
+            let line = error.location(&source).map_or(0, |l| l.line_number as usize);
+            GpuError::Invalid(format!("{}: {:?}", self.place(line), error.into_inner()))
+        })?;
+        let entry = info.get_entry_point(0);
+        let bindings = module
+            .global_variables
+            .iter()
+            .filter(|(handle, _)| !entry[*handle].is_empty())
+            .filter_map(|(_, global)| Some((global.name.clone()?, global.binding?.binding)))
+            .collect();
+        Ok(Linked { source, module, bindings })
+    }
+
+    /// File and line of a line of the joined source.
+    fn place(&self, mut line: usize) -> String {
+        for module in &self.modules {
+            let lines = module.source.matches('\n').count() + 1;
+            if line <= lines {
+                return format!("{}.wgsl:{line}", module.name);
+            }
+            line -= lines;
+        }
+        self.label.to_owned()
+    }
+}

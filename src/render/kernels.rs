@@ -1,0 +1,151 @@
+//! Which shader files make which kernel, and which kernels a scene needs.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::{Clamp, Direct, Method, Prepared, Settings};
+use crate::gpu::module::{
+    DIRECT_AREA, DIRECT_POINT, EMIT, PAIR_BOUNDED, PAIR_UNBOUNDED, REFLECT, REMOVED, SAMPLING,
+    SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SUBGROUPS, TRAVERSE, TYPES,
+    VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+};
+use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Program};
+
+/// Camera rays.
+pub fn visible_points() -> Program {
+    Program { label: "visible points", modules: vec![&TYPES, &SAMPLING, &TRAVERSE, &VISIBLE] }
+}
+
+/// Direct light from point lights.
+pub fn direct_point() -> Program {
+    Program { label: "direct light, points", modules: vec![&TYPES, &TRAVERSE, &DIRECT_POINT] }
+}
+
+/// Direct light from emitting triangles.
+pub fn direct_area() -> Program {
+    Program {
+        label: "direct light, areas",
+        modules: vec![&TYPES, &SAMPLING, &TRAVERSE, &DIRECT_AREA],
+    }
+}
+
+/// Shadow rays between points and VPLs.
+pub fn visibility(subgroups: bool) -> Program {
+    let modules = match subgroups {
+        true => vec![&SUBGROUPS, &TYPES, &VISIBILITY_PACKET],
+        false => vec![&TYPES, &TRAVERSE, &VISIBILITY],
+    };
+    Program { label: "visibility", modules }
+}
+
+/// Shading of points by VPLs.
+pub fn shade(subgroups: bool, bounded: bool) -> Program {
+    let pair = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
+    let modules = match subgroups {
+        true => vec![&SUBGROUPS, &TYPES, pair, &SHADE_COOPERATIVE],
+        false => vec![&TYPES, pair, &SHADE],
+    };
+    Program { label: "shading", modules }
+}
+
+/// Emission towards the camera.
+pub fn emit() -> Program {
+    Program { label: "emission", modules: vec![&TYPES, &EMIT] }
+}
+
+/// Irradiance to reflected radiance.
+pub fn reflect() -> Program {
+    Program { label: "reflection", modules: vec![&TYPES, &REFLECT] }
+}
+
+/// What the clamp removed.
+pub fn removed() -> Program {
+    Program { label: "clamped energy", modules: vec![&TYPES, &REMOVED] }
+}
+
+/// The picture of a method without light; none for the others.
+pub fn show(method: Method) -> Option<Program> {
+    let (label, module) = match method {
+        Method::Normal => ("normals", &SHOW_NORMAL),
+        Method::Depth => ("depth", &SHOW_DEPTH),
+        Method::Albedo => ("albedo", &SHOW_ALBEDO),
+        Method::Vpl | Method::Direct => return None,
+    };
+    Some(Program { label, modules: vec![&TYPES, module] })
+}
+
+/// The programs that a scene and settings need: the one list of what is linked.
+fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
+    let mut programs = vec![visible_points()];
+    programs.extend(show(settings.method));
+    if !settings.method.is_lit() {
+        return programs;
+    }
+    if prepared.area_lights.is_some() {
+        programs.push(emit());
+    }
+    if settings.direct == Direct::PerPixel {
+        programs.extend(prepared.point_lights.is_some().then(direct_point));
+        programs.extend(prepared.area_lights.is_some().then(direct_area));
+        programs.push(reflect());
+    }
+    if settings.traces_light_paths() {
+        let subgroups = prepared.gpu.has_subgroups();
+        let bounded = settings.clamp != Clamp::Off;
+        programs.extend([visibility(subgroups), shade(subgroups, bounded), reflect()]);
+        programs.extend(bounded.then(removed));
+    }
+    programs
+}
+
+/// The kernels compiled so far.
+#[derive(Debug, Default)]
+pub struct Kernels(Mutex<Vec<(Program, Arc<Kernel>)>>);
+
+impl Kernels {
+    /// Compiles what a scene and settings need.
+    pub(super) fn prepare(&self, prepared: &Prepared, settings: &Settings) -> Result<(), GpuError> {
+        for program in needed(prepared, settings) {
+            self.get(&prepared.gpu, &program)?;
+        }
+        Ok(())
+    }
+
+    /// The kernel of a program, compiled at most once.
+    pub(super) fn get(&self, gpu: &Gpu, program: &Program) -> Result<Arc<Kernel>, GpuError> {
+        let mut kernels = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, kernel)) = kernels.iter().find(|(known, _)| known == program) {
+            return Ok(kernel.clone());
+        }
+        let kernel = Arc::new(gpu.compile(program)?);
+        kernels.push((program.clone(), kernel.clone()));
+        Ok(kernel)
+    }
+
+    /// Features that no module linked so far serves.
+    pub(super) fn left_out(&self) -> Vec<&'static str> {
+        let kernels = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let linked: Vec<_> = kernels
+            .iter()
+            .flat_map(|(_, kernel)| kernel.modules.iter().filter_map(|module| module.feature))
+            .collect();
+        let mut left_out = Vec::new();
+        for feature in CATALOGUE.iter().filter_map(|module| module.feature) {
+            if !linked.contains(&feature) && !left_out.contains(&feature) {
+                left_out.push(feature);
+            }
+        }
+        left_out
+    }
+}
+
+/// Every program that some scene or setting links, for tests and tools.
+pub fn all_programs() -> Vec<Program> {
+    let mut programs =
+        vec![visible_points(), direct_point(), direct_area(), emit(), reflect(), removed()];
+    for subgroups in [false, true] {
+        programs.push(visibility(subgroups));
+        programs.extend([false, true].map(|bounded| shade(subgroups, bounded)));
+    }
+    programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));
+    programs
+}

@@ -1,0 +1,137 @@
+//! The light sources as tables to draw from, for direct light and for light paths.
+
+use std::f32::consts::PI;
+
+use glam::Vec3;
+
+use crate::gpu::{AreaLightRecord, PointLightRecord};
+use crate::scene::Scene;
+
+/// All lights of a scene.
+#[derive(Debug, Clone, Default)]
+pub struct Lights {
+    /// Emitting triangles; their probabilities are proportional to power and sum to one.
+    pub area: Vec<AreaLightRecord>,
+    /// Lights without extent.
+    pub point: Vec<PointLightRecord>,
+    /// Flux of all area lights, mean of the channels.
+    area_power: f64,
+    /// Running sums of the point lights' flux.
+    point_power: Vec<f64>,
+}
+
+/// A light drawn with a probability proportional to its power.
+#[derive(Debug, Clone, Copy)]
+pub struct Choice<'a> {
+    /// The light.
+    pub light: LightRef<'a>,
+    /// Its probability among all lights.
+    pub probability: f32,
+    /// What is left of the random number, uniform in [0, 1).
+    pub rest: f32,
+}
+
+/// One light of [`Lights`].
+#[derive(Debug, Clone, Copy)]
+pub enum LightRef<'a> {
+    /// An emitting triangle.
+    Area(&'a AreaLightRecord),
+    /// A light without extent.
+    Point(&'a PointLightRecord),
+}
+
+impl Lights {
+    /// The lights of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        let emitters: Vec<u32> = scene.emitters().collect();
+        let power = |&index: &u32| {
+            let triangle = &scene.triangles[index as usize];
+            let material = &scene.materials[triangle.material as usize];
+            let sides = if material.two_sided { 2.0 } else { 1.0 };
+            sides * f64::from(PI * triangle.area()) * mean(material.emission)
+        };
+        let area_power: f64 = emitters.iter().map(power).sum();
+        let mut before = 0.0;
+        let area = emitters
+            .iter()
+            .map(|index| {
+                let record = area_light(scene, *index, before, power(index) / area_power);
+                before += f64::from(record.probability);
+                record
+            })
+            .collect();
+        let mut sum = 0.0;
+        let point_power = scene
+            .point_lights
+            .iter()
+            .map(|light| {
+                sum += f64::from(4.0 * PI) * mean(light.intensity);
+                sum
+            })
+            .collect();
+        let point = scene
+            .point_lights
+            .iter()
+            .map(|light| PointLightRecord {
+                position: light.position.to_array(),
+                pad0: 0.0,
+                intensity: light.intensity.to_array(),
+                pad1: 0.0,
+            })
+            .collect();
+        Self { area, point, area_power, point_power }
+    }
+
+    /// Draws a light by power; none if no light has any.
+    pub fn choose(&self, u: f32) -> Option<Choice<'_>> {
+        let point_power = self.point_power.last().copied().unwrap_or(0.0);
+        let total = self.area_power + point_power;
+        if total.is_nan() || total <= 0.0 {
+            return None;
+        }
+        let target = f64::from(u) * total;
+        if target < self.area_power || self.point.is_empty() {
+            let share = self.area_power / total;
+            let u = (target / self.area_power).min(1.0);
+            let at = self.area.partition_point(|l| f64::from(l.before) <= u).saturating_sub(1);
+            let light = &self.area[at];
+            let rest = (u - f64::from(light.before)) / f64::from(light.probability);
+            let probability = (share * f64::from(light.probability)) as f32;
+            return Some(Choice { light: LightRef::Area(light), probability, rest: unit(rest) });
+        }
+        let target = target - self.area_power;
+        let at = self.point_power.partition_point(|&sum| sum <= target).min(self.point.len() - 1);
+        let before = if at == 0 { 0.0 } else { self.point_power[at - 1] };
+        let power = self.point_power[at] - before;
+        let rest = unit((target - before) / power);
+        let light = LightRef::Point(&self.point[at]);
+        Some(Choice { light, probability: (power / total) as f32, rest })
+    }
+}
+
+fn area_light(scene: &Scene, index: u32, before: f64, probability: f64) -> AreaLightRecord {
+    let triangle = &scene.triangles[index as usize];
+    let material = &scene.materials[triangle.material as usize];
+    let [a, b, c] = triangle.vertices;
+    AreaLightRecord {
+        corner: a.to_array(),
+        before: before as f32,
+        edge1: (b - a).to_array(),
+        probability: probability as f32,
+        edge2: (c - a).to_array(),
+        two_sided: u32::from(material.two_sided),
+        normal: triangle.scaled_normal().normalize().to_array(),
+        area: triangle.area(),
+        radiance: material.emission.to_array(),
+        pad: 0.0,
+    }
+}
+
+/// Rounding may leave the remainder a little outside of its interval.
+fn unit(x: f64) -> f32 {
+    (x as f32).clamp(0.0, 1.0 - f32::EPSILON)
+}
+
+fn mean(rgb: Vec3) -> f64 {
+    f64::from(rgb.element_sum()) / 3.0
+}

@@ -1,0 +1,204 @@
+//! Virtual point lights: light paths traced on the host (Keller, "Instant Radiosity", 1997).
+
+use std::f32::consts::PI;
+
+use glam::Vec3;
+use rayon::prelude::*;
+
+use super::light::{Choice, LightRef, Lights};
+use super::settings::Bounces;
+use crate::bvh::{Bvh, Hit, Ray};
+use crate::gpu::VplRecord;
+use crate::sampling::{
+    SURFACE_OFFSET, Sequence, cosine_hemisphere, uniform_sphere, uniform_triangle,
+};
+use crate::scene::Scene;
+
+/// Russian roulette lets a path live with at most this probability.
+const MOST_SURVIVAL: f32 = 0.95;
+/// Dimensions of the sequence that the start of a path takes; a bounce takes three.
+const START_DIMENSIONS: u32 = 5;
+
+/// A virtual point light: light that has arrived at a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vpl {
+    /// Where it is.
+    pub position: Vec3,
+    /// Geometric normal of the side that the light reached.
+    pub normal: Vec3,
+    /// Unit direction in which the light arrived.
+    pub incident: Vec3,
+    /// Incident flux, in watts over the square of the scene's unit.
+    pub flux: Vec3,
+    /// Index of the material.
+    pub material: u32,
+}
+
+/// What light paths need of a scene.
+#[derive(Debug, Clone, Copy)]
+pub struct LightPaths<'a> {
+    /// Materials.
+    pub scene: &'a Scene,
+    /// Surfaces.
+    pub bvh: &'a Bvh,
+    /// Where paths start.
+    pub lights: &'a Lights,
+    /// Paths launched.
+    pub count: u32,
+    /// Hits that deposit.
+    pub bounces: Bounces,
+    /// Of the sequence.
+    pub seed: u32,
+}
+
+impl LightPaths<'_> {
+    /// Traces all paths. The order is that of the paths and their bounces, for any number of
+    /// threads.
+    pub fn trace(&self) -> Vec<Vpl> {
+        let sequence = Sequence::new(self.seed);
+        let per_path: Vec<Vec<Vpl>> =
+            (0..self.count).into_par_iter().map(|path| self.trace_one(&sequence, path)).collect();
+        per_path.concat()
+    }
+
+    fn trace_one(&self, sequence: &Sequence, path: u32) -> Vec<Vpl> {
+        let mut vpls = Vec::new();
+        let Some((mut ray, mut flux)) = self.start(sequence, path) else { return vpls };
+        let mut bounce = 0u32;
+        while !matches!(self.bounces, Bounces::Finite(most) if bounce >= most) {
+            let Some(hit) = self.bvh.closest(&ray) else { break };
+            let (position, normal) = self.surface(&hit, ray.direction);
+            let albedo = self.scene.materials[hit.material as usize].albedo;
+            // A black surface ends the path, and would be a light of no intensity.
+            if (flux * albedo).max_element() <= 0.0 {
+                break;
+            }
+            let incident = ray.direction;
+            vpls.push(Vpl { position, normal, incident, flux, material: hit.material });
+
+            let dimension = START_DIMENSIONS + 3 * bounce;
+            let draw = |i| sequence.sample(path, dimension + i);
+            // Cosine sampling of a diffuse BRDF leaves the albedo as weight.
+            flux *= albedo;
+            if self.bounces == Bounces::Unlimited {
+                let survival = albedo.max_element().min(MOST_SURVIVAL);
+                if draw(2) >= survival {
+                    break;
+                }
+                flux /= survival;
+            }
+            let direction = cosine_hemisphere(normal, [draw(0), draw(1)]);
+            ray = leave(position, normal, direction);
+            bounce += 1;
+        }
+        vpls
+    }
+
+    /// The first segment of a path and its flux.
+    fn start(&self, sequence: &Sequence, path: u32) -> Option<(Ray, Vec3)> {
+        let draw = |dimension| sequence.sample(path, dimension);
+        let Choice { light, probability, rest } = self.lights.choose(draw(0))?;
+        let paths = self.count as f32;
+        match light {
+            LightRef::Area(light) => {
+                let [b, c] = uniform_triangle([draw(1), draw(2)]);
+                let [corner, edge1, edge2, normal, radiance] =
+                    [light.corner, light.edge1, light.edge2, light.normal, light.radiance]
+                        .map(Vec3::from_array);
+                let two_sided = light.two_sided != 0;
+                let normal = if two_sided && rest < 0.5 { -normal } else { normal };
+                let sides = if two_sided { 2.0 } else { 1.0 };
+                let direction = cosine_hemisphere(normal, [draw(3), draw(4)]);
+                // L cos θ over the pdf of light, position and direction.
+                let flux = radiance * (PI * light.area * sides / (probability * paths));
+                Some((leave(corner + edge1 * b + edge2 * c, normal, direction), flux))
+            }
+            LightRef::Point(light) => {
+                let direction = uniform_sphere([draw(3), draw(4)]);
+                let origin = Vec3::from_array(light.position);
+                let flux = Vec3::from_array(light.intensity) * (4.0 * PI / (probability * paths));
+                Some((Ray { origin, direction, limit: f32::MAX }, flux))
+            }
+        }
+    }
+
+    /// Position and facing normal of a hit.
+    fn surface(&self, hit: &Hit, direction: Vec3) -> (Vec3, Vec3) {
+        let triangle = &self.scene.triangles[hit.triangle as usize];
+        let [a, b, c] = triangle.vertices;
+        let position = a * hit.weights[0] + b * hit.weights[1] + c * hit.weights[2];
+        let normal = triangle.scaled_normal().normalize();
+        (position, if normal.dot(direction) > 0.0 { -normal } else { normal })
+    }
+}
+
+fn leave(position: Vec3, normal: Vec3, direction: Vec3) -> Ray {
+    Ray { origin: position + normal * SURFACE_OFFSET, direction, limit: f32::MAX }
+}
+
+/// The VPLs as the device wants them: with the intensity that their surface reflects, sorted
+/// along a Morton curve so that neighbours in a word are neighbours in space, and filled up
+/// to whole words of 32 with lights of no intensity.
+pub fn records(vpls: &[Vpl], scene: &Scene) -> Vec<VplRecord> {
+    let mut order: Vec<usize> = (0..vpls.len()).collect();
+    order.sort_by_key(|&i| (morton(vpls[i].position), i));
+    let mut records: Vec<VplRecord> = order
+        .iter()
+        .map(|&i| {
+            let vpl = &vpls[i];
+            let intensity = vpl.flux * scene.materials[vpl.material as usize].albedo / PI;
+            VplRecord {
+                position: vpl.position.to_array(),
+                pad0: 0.0,
+                normal: vpl.normal.to_array(),
+                pad1: 0.0,
+                intensity: intensity.to_array(),
+                mean: intensity.element_sum() / 3.0,
+            }
+        })
+        .collect();
+    records.resize(vpls.len().next_multiple_of(32), bytemuck::Zeroable::zeroed());
+    records
+}
+
+/// The bound on G of the default clamp: no VPL alone gives more irradiance than the mean
+/// exitance that it stands for, b = π / a, with a the area of one VPL, from the median
+/// squared distance to the k-th nearest VPL: a = π r² / k. `None` without VPLs.
+pub fn density_bound(vpls: &[Vpl], scene: &Scene) -> Option<f32> {
+    const NEIGHBOUR: usize = 8;
+    /// Enough for a median to a few per cent.
+    const QUERIES: usize = 1024;
+    if vpls.is_empty() {
+        return None;
+    }
+    let k = NEIGHBOUR.min(vpls.len() - 1);
+    let stride = vpls.len().div_ceil(QUERIES);
+    let mut squares: Vec<f32> = vpls
+        .par_iter()
+        .step_by(stride)
+        .map(|vpl| {
+            let mut others: Vec<f32> =
+                vpls.iter().map(|o| o.position.distance_squared(vpl.position)).collect();
+            // The nearest is the VPL itself.
+            *others.select_nth_unstable_by(k, f32::total_cmp).1
+        })
+        .collect();
+    let middle = squares.len() / 2;
+    let median = *squares.select_nth_unstable_by(middle, f32::total_cmp).1;
+    let area = if median > 0.0 {
+        PI * median / k as f32
+    } else {
+        // One VPL, or all at one place: they share the whole surface.
+        scene.triangles.iter().map(|t| t.area()).sum::<f32>() / vpls.len() as f32
+    };
+    Some(PI / area)
+}
+
+/// Interleaved bits of a position, 21 an axis; normalised coordinates lie within [-2, 2].
+fn morton(position: Vec3) -> u64 {
+    let spread = |x: f32| {
+        let cell = ((f64::from(x) + 2.0) / 4.0 * f64::from(1 << 21)).clamp(0.0, 2_097_151.0);
+        (0..21).fold(0u64, |sum, bit| sum | ((cell as u64 >> bit & 1) << (3 * bit)))
+    };
+    spread(position.x) | spread(position.y) << 1 | spread(position.z) << 2
+}

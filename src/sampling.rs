@@ -1,0 +1,126 @@
+//! Randomised quasi-Monte Carlo: Owen-scrambled Sobol points, and the maps from the unit cube
+//! to directions and triangles.
+//!
+//! Transcendental functions come from libm, so that every machine draws the same paths.
+
+use glam::Vec3;
+
+/// Points that one block of the underlying sequence holds.
+const BLOCK: u32 = 1 << 16;
+/// Dimensions that it holds.
+const DIMENSIONS: u32 = 256;
+
+/// Distance by which rays are kept off surfaces, in normalised units, in which the scene's
+/// larger half-extent is between 1/2 and 1: some 32 times the rounding of a position or of
+/// a plane there.
+pub const SURFACE_OFFSET: f32 = 1.0 / 262_144.0;
+
+/// A seeded sequence of points in [0, 1)^∞ (Burley, "Practical Hash-based Owen Scrambling",
+/// JCGT 2020).
+#[derive(Debug, Clone, Copy)]
+pub struct Sequence {
+    seed: u32,
+}
+
+impl Sequence {
+    /// The sequence of a seed.
+    pub fn new(seed: u32) -> Self {
+        Self { seed }
+    }
+
+    /// Coordinate `dimension` of point `index`. Blocks of 2^16 points and of 256 dimensions
+    /// are scrambled independently of each other.
+    pub fn sample(&self, index: u32, dimension: u32) -> f32 {
+        let block = hash(index / BLOCK ^ hash(dimension / DIMENSIONS));
+        let seed = hash(self.seed ^ block);
+        sobol_burley::sample(index % BLOCK, dimension % DIMENSIONS, seed)
+    }
+}
+
+/// A bijection that mixes all bits (Wellons' lowbias32).
+pub fn hash(x: u32) -> u32 {
+    let mut h = x ^ (x >> 16);
+    h = h.wrapping_mul(0x7feb_352d);
+    h ^= h >> 15;
+    h = h.wrapping_mul(0x846c_a68b);
+    h ^ (h >> 16)
+}
+
+/// A direction uniform on the sphere; pdf 1 / 4π.
+pub fn uniform_sphere(u: [f32; 2]) -> Vec3 {
+    let z = 1.0 - 2.0 * u[0];
+    let r = (1.0 - z * z).max(0.0).sqrt();
+    let (sin, cos) = turn(u[1]);
+    Vec3::new(r * cos, r * sin, z)
+}
+
+/// A direction about `normal` (of unit length); pdf cos θ / π.
+pub fn cosine_hemisphere(normal: Vec3, u: [f32; 2]) -> Vec3 {
+    let r = u[0].sqrt();
+    let (sin, cos) = turn(u[1]);
+    // Frame of Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017.
+    let sign = 1.0f32.copysign(normal.z);
+    let a = -1.0 / (sign + normal.z);
+    let b = normal.x * normal.y * a;
+    let x = Vec3::new(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
+    let y = Vec3::new(b, sign + normal.y * normal.y * a, -normal.y);
+    (x * (r * cos) + y * (r * sin) + normal * (1.0 - u[0]).max(0.0).sqrt()).normalize()
+}
+
+/// Weights of a triangle's second and third corner, uniform over its area.
+pub fn uniform_triangle(u: [f32; 2]) -> [f32; 2] {
+    let root = u[0].sqrt();
+    [root * (1.0 - u[1]), root * u[1]]
+}
+
+/// Sine and cosine of the fraction `u` of a full turn.
+fn turn(u: f32) -> (f32, f32) {
+    libm::sincosf(std::f32::consts::TAU * u)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sequence_goes_on_beyond_its_blocks() {
+        let sequence = Sequence::new(7);
+        for dimension in [0, 5, 255, 256, 1000] {
+            let n = 3 * BLOCK / 2;
+            let mean = (0..n).map(|i| f64::from(sequence.sample(i, dimension))).sum::<f64>()
+                / f64::from(n);
+            assert!((mean - 0.5).abs() < 1e-4, "dimension {dimension}: mean {mean}");
+        }
+        let copies = (0..BLOCK).filter(|&i| sequence.sample(i, 0) == sequence.sample(i + BLOCK, 0));
+        assert!(copies.count() < 16, "the second block repeats the first");
+    }
+
+    #[test]
+    fn directions_have_their_moments() {
+        let sequence = Sequence::new(1);
+        let normal = Vec3::new(0.36, -0.48, -0.8);
+        let n = 4096u16;
+        let (mut sphere, mut cosine) = (Vec3::ZERO, 0.0);
+        for i in 0..u32::from(n) {
+            let u = [sequence.sample(i, 0), sequence.sample(i, 1)];
+            sphere += uniform_sphere(u) / f32::from(n);
+            let w = cosine_hemisphere(normal, u);
+            assert!((w.length() - 1.0).abs() < 1e-5 && w.dot(normal) > -1e-6);
+            cosine += w.dot(normal) / f32::from(n);
+        }
+        assert!(sphere.length() < 1e-3, "mean direction {sphere}");
+        assert!((cosine - 2.0 / 3.0).abs() < 1e-3, "mean cosine {cosine}");
+    }
+
+    #[test]
+    fn triangle_points_have_the_centroid_as_mean() {
+        let sequence = Sequence::new(1);
+        let mut mean = [0.0f32; 2];
+        for i in 0..1024 {
+            let [b, c] = uniform_triangle([sequence.sample(i, 0), sequence.sample(i, 1)]);
+            assert!(b >= 0.0 && c >= 0.0 && b + c <= 1.0 + 1e-6);
+            mean = [mean[0] + b / 1024.0, mean[1] + c / 1024.0];
+        }
+        assert!(mean.iter().all(|m| (m - 1.0 / 3.0).abs() < 1e-3), "{mean:?}");
+    }
+}
