@@ -19,12 +19,12 @@ pub struct SceneError {
 impl SceneError {
     /// An error about a whole file.
     pub fn new(file: impl Into<PathBuf>, what: impl Into<String>) -> Self {
-        Self { file: file.into(), line: None, what: what.into() }
+        Self { file: file.into(), line: None, what: one_line(what.into()) }
     }
 
     /// An error at a line, counted from 1.
     pub fn at(file: impl Into<PathBuf>, line: usize, what: impl Into<String>) -> Self {
-        Self { file: file.into(), line: Some(line), what: what.into() }
+        Self { file: file.into(), line: Some(line), what: one_line(what.into()) }
     }
 }
 
@@ -77,8 +77,17 @@ impl Error {
 }
 
 fn location(file: &std::path::Path, line: Option<usize>) -> String {
+    let file = one_line(file.display().to_string());
     match line {
-        Some(line) => format!("{}:{line}", file.display()),
-        None => file.display().to_string(),
+        Some(line) => format!("{file}:{line}"),
+        None => file,
     }
+}
+
+/// File and material names, and the messages of libraries, may hold line breaks.
+pub(crate) fn one_line(text: String) -> String {
+    if !text.contains(char::is_control) {
+        return text;
+    }
+    text.replace(char::is_control, " ")
 }

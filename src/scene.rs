@@ -8,7 +8,10 @@
 mod builtin;
 mod camera;
 mod draft;
+mod mtl;
+mod normalise;
 mod obj;
+mod polygon;
 mod toml;
 
 use std::path::Path;
@@ -17,9 +20,9 @@ use glam::{DVec3, Vec3};
 
 pub use builtin::BUILTIN_SCENES;
 pub use camera::{Camera, FovAxis};
-pub use draft::{Draft, DraftMaterial};
+pub use draft::{Draft, DraftCamera, DraftMaterial, Origin};
 
-use crate::error::SceneError;
+use crate::error::{SceneError, one_line};
 
 /// A scene ready to be rendered. All lengths are in normalised units, see [`Units`].
 #[derive(Debug, Clone)]
@@ -112,6 +115,18 @@ pub struct Warning {
     pub message: String,
     /// Whether the image is not what the file asks for (an error under `--strict`).
     pub changes_image: bool,
+}
+
+impl Warning {
+    /// A warning about something that leaves the image as the file asks for it.
+    pub fn note(message: impl Into<String>) -> Self {
+        Self { message: one_line(message.into()), changes_image: false }
+    }
+
+    /// A warning that the image is not what the file asks for.
+    pub fn changed(message: impl Into<String>) -> Self {
+        Self { message: one_line(message.into()), changes_image: true }
+    }
 }
 
 impl Scene {

@@ -1,11 +1,49 @@
-//! The scene file.
+//! The scene file. Every fault is reported with the line of the key or table at fault.
 
+mod camera;
+mod document;
+mod light;
+mod material;
+mod mesh;
+
+use std::collections::HashMap;
 use std::path::Path;
 
-use super::Scene;
+use super::{Draft, Scene, obj::read_text};
 use crate::error::SceneError;
+use document::Document;
 
 /// Loads a scene file.
 pub fn load(path: &Path) -> Result<Scene, SceneError> {
-    Err(SceneError::new(path, "not written"))
+    let text = read_text(path)?;
+    let document = Document::new(path, &text);
+    let table = document.parse()?;
+    let root = document.section("the scene file", 1, &table);
+    root.only(&["exposure", "camera", "mesh", "sphere", "materials", "light"])?;
+
+    let mut draft = Draft::new(path.display().to_string());
+    if let Some(exposure) = root.get("exposure") {
+        draft.exposure = exposure.number()?;
+    }
+    if let Some(camera) = root.get("camera") {
+        draft.camera = Some(camera::read(&camera.section("[camera]")?)?);
+    }
+    let mut materials = HashMap::new();
+    if let Some(all) = root.get("materials") {
+        for (name, value) in all.section("[materials]")?.values() {
+            let section = value.section(&format!("[materials.{name}]"))?;
+            let material = material::read(name, &section)?;
+            materials.insert(name.to_owned(), draft.add_material(material)?);
+        }
+    }
+    if let Some(sphere) = root.get("sphere") {
+        return Err(sphere.fault("[[sphere]] is not supported yet; give a [[mesh]]"));
+    }
+    for mesh in root.sections("mesh")? {
+        mesh::read(&mesh, &materials, &mut draft)?;
+    }
+    for (light, number) in root.sections("light")?.iter().zip(1..) {
+        light::read(light, number, &mut draft)?;
+    }
+    draft.finish()
 }

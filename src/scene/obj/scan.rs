@@ -1,0 +1,264 @@
+//! A first pass over the text of an OBJ file. It finds every fault with its line, and leaves
+//! to `tobj` a plain text it cannot misread: positions, polygons of absolute indices, and
+//! materials by number, line for line as in the file.
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::io::{BufRead, Read, Result as IoResult};
+use std::path::Path;
+
+use crate::error::SceneError;
+use crate::scene::Warning;
+
+/// A name, and the line that first gives it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Named {
+    pub name: String,
+    pub line: usize,
+}
+
+/// What the first pass found.
+#[derive(Debug, Default)]
+pub struct Scan {
+    /// The plain text; its first line is an extra `mtllib`.
+    pub text: String,
+    /// What `usemtl` names; the plain text says `usemtl INDEX`.
+    pub names: Vec<Named>,
+    /// What `mtllib` names, a whole line each.
+    pub libraries: Vec<Named>,
+    pub warnings: Vec<Warning>,
+}
+
+/// Checks an OBJ file.
+pub fn scan(file: &Path, text: &str) -> Result<Scan, SceneError> {
+    let mut scanner = Scanner {
+        file,
+        line: 0,
+        scan: Scan { text: "mtllib all\n".to_owned(), ..Scan::default() },
+        vertices: 0,
+        last_index: (0, 0),
+        index_of: HashMap::new(),
+        no_surface: Tally::default(),
+        free_form: Tally::default(),
+        homogeneous: Tally::default(),
+    };
+    let mut lines = (1..).zip(text.lines());
+    while let Some((line, first)) = lines.next() {
+        let mut content = first.to_owned();
+        let mut line_ends = 1;
+        while content.ends_with('\\') {
+            content.pop();
+            let Some((_, next)) = lines.next() else { break };
+            content.push_str(next);
+            line_ends += 1;
+        }
+        scanner.line = line;
+        scanner.statement(&content)?;
+        (0..line_ends).for_each(|_| scanner.scan.text.push('\n'));
+    }
+    scanner.finish()
+}
+
+/// How often something occurs, and the line where it does first.
+#[derive(Debug, Default)]
+struct Tally {
+    count: u64,
+    first: usize,
+}
+
+impl Tally {
+    fn add(&mut self, line: usize) {
+        self.first = if self.count == 0 { line } else { self.first };
+        self.count += 1;
+    }
+}
+
+struct Scanner<'a> {
+    file: &'a Path,
+    line: usize,
+    scan: Scan,
+    vertices: i64,
+    /// The largest index a face uses, and its line: faces may come before their vertices.
+    last_index: (i64, usize),
+    index_of: HashMap<String, usize>,
+    no_surface: Tally,
+    free_form: Tally,
+    homogeneous: Tally,
+}
+
+impl Scanner<'_> {
+    fn fault<T>(&self, what: impl Into<String>) -> Result<T, SceneError> {
+        Err(SceneError::at(self.file, self.line, what))
+    }
+
+    /// Checks one statement and appends its plain form, without the line's end.
+    fn statement(&mut self, content: &str) -> Result<(), SceneError> {
+        let content = content.trim();
+        let mut words = content.split_whitespace().take_while(|word| !word.starts_with('#'));
+        let Some(keyword) = words.next() else { return Ok(()) };
+        // Names may hold blanks and '#'.
+        let name = content[keyword.len()..].trim();
+        match keyword {
+            "v" => self.vertex(&words.collect::<Vec<_>>()),
+            "f" => self.face(&words.collect::<Vec<_>>()),
+            "p" | "l" => {
+                self.no_surface.add(self.line);
+                Ok(())
+            }
+            "surf" | "curv" => {
+                self.free_form.add(self.line);
+                Ok(())
+            }
+            "usemtl" => {
+                self.material(name);
+                Ok(())
+            }
+            "mtllib" => {
+                self.scan.libraries.push(Named { name: name.to_owned(), line: self.line });
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// `v x y z`, with a weight w by which `tobj` divides, or with a colour, left out.
+    fn vertex(&mut self, words: &[&str]) -> Result<(), SceneError> {
+        let mut numbers = Vec::with_capacity(words.len());
+        for word in words {
+            match word.parse::<f64>() {
+                Ok(number) if number.is_finite() => numbers.push(number),
+                _ => return self.fault(format!("vertex: `{word}` is not a finite number")),
+            }
+        }
+        let weight = match numbers[..] {
+            [_, _, _] | [_, _, _, _, _, _] => 1.0,
+            [_, _, _, w] => w,
+            _ => {
+                let n = numbers.len();
+                return self.fault(format!("vertex of {n} numbers; give x y z, with w or r g b"));
+            }
+        };
+        if numbers[..3].iter().any(|x| !(x / weight).is_finite()) {
+            return self.fault(format!("vertex: its weight {weight} puts it at infinity"));
+        }
+        if weight != 1.0 {
+            self.homogeneous.add(self.line);
+        }
+        self.vertices += 1;
+        let [x, y, z] = [numbers[0], numbers[1], numbers[2]];
+        // Writing to a string cannot fail. The digits of `{}` read back as the same number.
+        let _ = write!(self.scan.text, "v {x} {y} {z} {weight}");
+        Ok(())
+    }
+
+    /// A polygon; its texture and normal indices are left out.
+    fn face(&mut self, words: &[&str]) -> Result<(), SceneError> {
+        let mut indices = Vec::with_capacity(words.len());
+        for word in words {
+            indices.push(self.index(word)?);
+        }
+        if indices.len() < 3 {
+            self.no_surface.add(self.line);
+            return Ok(());
+        }
+        self.scan.text.push('f');
+        for index in indices {
+            let _ = write!(self.scan.text, " {index}");
+        }
+        Ok(())
+    }
+
+    /// The vertex of a corner such as `7`, `-1`, `7/3`, `7//2` or `7/3/2`, counted from 1.
+    fn index(&mut self, word: &str) -> Result<i64, SceneError> {
+        let mut parts = word.split('/').map(|part| (part, part.parse::<i64>()));
+        let Some((_, Ok(vertex))) = parts.next() else {
+            return self.fault(format!("face: `{word}` does not begin with a vertex's number"));
+        };
+        let rest: Vec<_> = parts.collect();
+        if rest.len() > 2 || rest.iter().any(|(part, number)| number.is_err() && !part.is_empty()) {
+            return self
+                .fault(format!("face: `{word}` is not of the form v, v/vt, v//vn, v/vt/vn"));
+        }
+        let (vertices, line) = (self.vertices, self.line);
+        match vertex {
+            0 => self.fault("face: vertex 0; the first is 1"),
+            1.. => {
+                self.last_index = self.last_index.max((vertex, line));
+                Ok(vertex)
+            }
+            _ if vertex < -vertices => {
+                self.fault(format!("face: vertex {vertex}, but there are {vertices} so far"))
+            }
+            _ => Ok(vertices + 1 + vertex),
+        }
+    }
+
+    fn material(&mut self, name: &str) {
+        let names = &mut self.scan.names;
+        let index = *self.index_of.entry(name.to_owned()).or_insert_with(|| {
+            names.push(Named { name: name.to_owned(), line: self.line });
+            names.len() - 1
+        });
+        let _ = write!(self.scan.text, "usemtl {index}");
+    }
+
+    fn finish(mut self) -> Result<Scan, SceneError> {
+        let (index, line) = self.last_index;
+        if index > self.vertices {
+            self.line = line;
+            let vertices = self.vertices;
+            return self.fault(format!("face: vertex {index}, but there are {vertices}"));
+        }
+        let notes = [
+            (&self.no_surface, "points, lines or faces of fewer than three corners are left out"),
+            (&self.homogeneous, "vertices have a weight w; x y z are divided by it"),
+        ];
+        let file = self.file.display();
+        let some = |(tally, what): (&Tally, &str)| {
+            let Tally { count, first } = tally;
+            (*count > 0).then(|| format!("{file}:{first}: {count} {what}"))
+        };
+        let mut warnings: Vec<Warning> =
+            notes.into_iter().filter_map(some).map(Warning::note).collect();
+        let free_form = (&self.free_form, "free-form curves or surfaces are left out");
+        warnings.extend(some(free_form).map(Warning::changed));
+        Ok(Scan { warnings, ..self.scan })
+    }
+}
+
+/// Reads a text and knows the line it is at, which `tobj`'s errors lack.
+pub struct CountLines<'a> {
+    rest: &'a [u8],
+    line: usize,
+}
+
+impl<'a> CountLines<'a> {
+    pub fn new(text: &'a str) -> Self {
+        Self { rest: text.as_bytes(), line: 0 }
+    }
+
+    /// The line of the file last read; the extra first line of the plain text is line 0.
+    pub fn line(&self) -> usize {
+        self.line.saturating_sub(1)
+    }
+}
+
+impl Read for CountLines<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> IoResult<usize> {
+        let read = self.rest.read(buffer)?;
+        self.line += buffer[..read].iter().filter(|&&byte| byte == b'\n').count();
+        Ok(read)
+    }
+}
+
+impl BufRead for CountLines<'_> {
+    fn fill_buf(&mut self) -> IoResult<&[u8]> {
+        Ok(self.rest)
+    }
+
+    fn consume(&mut self, amount: usize) {
+        let (read, rest) = self.rest.split_at(amount.min(self.rest.len()));
+        self.line += read.iter().filter(|&&byte| byte == b'\n').count();
+        self.rest = rest;
+    }
+}
