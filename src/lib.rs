@@ -12,4 +12,5 @@ pub mod error;
 pub mod gpu;
 pub mod image;
 pub mod render;
+pub mod report;
 pub mod scene;
