@@ -1,1 +1,122 @@
 //! Arguments and their conversion to jobs.
+
+mod console;
+mod info;
+mod parse;
+mod render;
+
+use std::ffi::OsString;
+use std::panic;
+use std::time::Instant;
+
+use clap::error::ErrorKind;
+use clap::{Parser, Subcommand};
+
+use crate::error::Error;
+use crate::gpu::AdapterChoice;
+
+/// Headless global illumination with virtual point lights.
+#[derive(Debug, Parser)]
+#[command(name = "gpu-vpl", version, arg_required_else_help = false)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Render one image of a scene
+    Render(Box<render::RenderArgs>),
+    /// List adapters and built-in scenes; say what a scene holds
+    Info(info::InfoArgs),
+    #[command(hide = true)]
+    Study(NotYet),
+    #[command(hide = true)]
+    Compare(NotYet),
+}
+
+/// The arguments of a command that is still to come: anything at all.
+#[derive(Debug, clap::Args)]
+struct NotYet {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    ignored: Vec<OsString>,
+}
+
+/// Runs the program with these arguments and returns its exit code. Whatever goes wrong is one
+/// line on standard error; a panic, which would be a fault of this program, is too.
+pub fn main(arguments: impl IntoIterator<Item = OsString>, started: Instant) -> u8 {
+    panic::set_hook(Box::new(|fault| {
+        console::error(&format!("internal error, please report it: {fault}"));
+    }));
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    panic::catch_unwind(|| run(arguments, started)).unwrap_or(1)
+}
+
+fn run(arguments: Vec<OsString>, started: Instant) -> u8 {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(refusal) => return refuse(&refusal),
+    };
+    let result = match cli.command {
+        Command::Render(args) => render::run(*args, started),
+        Command::Info(args) => info::run(&args),
+        Command::Study(_) => not_yet("study"),
+        Command::Compare(_) => not_yet("compare"),
+    };
+    match result {
+        Ok(()) => 0,
+        Err(error) => {
+            console::error(&error.to_string());
+            error.exit_code()
+        }
+    }
+}
+
+fn not_yet(command: &str) -> Result<(), Error> {
+    let what = format!("the command {command} is not supported yet; there are render and info");
+    Err(Error::Usage(what))
+}
+
+/// Help and version are no errors; all else becomes one line.
+fn refuse(refusal: &clap::Error) -> u8 {
+    match refusal.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
+            match console::print(&refusal.to_string()) {
+                Ok(()) => 0,
+                Err(error) => {
+                    console::error(&format!("standard output: cannot write: {error}"));
+                    1
+                }
+            }
+        }
+        _ => {
+            console::error(&parse::usage_line(&refusal.to_string()));
+            2
+        }
+    }
+}
+
+/// The adapter asked for: by option, else by the environment.
+fn adapter_choice(option: Option<&str>) -> AdapterChoice {
+    let variable = || std::env::var("WGPU_ADAPTER_NAME").ok();
+    let named = option.map(str::to_owned).or_else(variable).filter(|name| !name.is_empty());
+    named.map_or(AdapterChoice::Auto, AdapterChoice::Named)
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn an_option_chooses_the_adapter() {
+        assert_eq!(adapter_choice(Some("x")), AdapterChoice::Named("x".into()));
+        assert_eq!(adapter_choice(Some("")), AdapterChoice::Auto);
+    }
+}

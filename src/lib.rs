@@ -13,5 +13,6 @@ pub mod error;
 pub mod gpu;
 pub mod image;
 pub mod render;
+pub mod report;
 pub mod sampling;
 pub mod scene;

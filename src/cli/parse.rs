@@ -1,0 +1,147 @@
+//! The values of options, and how a wrong one is told.
+
+use crate::image::Tone;
+use crate::render::{Bounces, Clamp, Direct, Method};
+
+/// The methods there are.
+const METHODS: [Method; 5] =
+    [Method::Vpl, Method::Direct, Method::Normal, Method::Depth, Method::Albedo];
+
+/// Those of the command line's contract that are still to come.
+const LATER_METHODS: [&str; 7] =
+    ["vplc", "vpc", "both", "path", "point-clusters", "vpl-map", "vpl-clusters-map"];
+
+pub fn method(text: &str) -> Result<Method, String> {
+    if let Some(method) = METHODS.into_iter().find(|method| method.name() == text) {
+        return Ok(method);
+    }
+    let known = METHODS.map(Method::name).join(", ");
+    if LATER_METHODS.contains(&text) {
+        Err(format!("this method is not supported yet; give one of {known}"))
+    } else {
+        Err(format!("give one of {known}"))
+    }
+}
+
+/// One of the auxiliary images.
+pub fn aov(text: &str) -> Result<Method, String> {
+    let known = [Method::Normal, Method::Albedo, Method::Depth];
+    let found = known.into_iter().find(|method| method.name() == text);
+    found.ok_or_else(|| "give some of normal,albedo,depth".to_owned())
+}
+
+pub fn bounces(text: &str) -> Result<Bounces, String> {
+    if text == "unlimited" {
+        return Ok(Bounces::Unlimited);
+    }
+    let count = text.parse().map_err(|_| "give a number of bounces, or unlimited".to_owned())?;
+    Ok(Bounces::Finite(count))
+}
+
+pub fn direct(text: &str) -> Result<Direct, String> {
+    match text {
+        "per-pixel" => Ok(Direct::PerPixel),
+        "off" => Ok(Direct::Off),
+        "clustered" => Err("not supported yet; give per-pixel or off".to_owned()),
+        _ => Err("give per-pixel or off".to_owned()),
+    }
+}
+
+pub fn clamp(text: &str) -> Result<Clamp, String> {
+    match text {
+        "auto" => Ok(Clamp::Auto),
+        "off" => Ok(Clamp::Off),
+        _ => match text.parse::<f64>() {
+            Ok(bound) if bound.is_finite() && bound > 0.0 => Ok(Clamp::At(bound)),
+            _ => Err("give a bound above 0 in 1/length², or auto, or off".to_owned()),
+        },
+    }
+}
+
+/// Width and height, as in 640x480.
+pub fn size(text: &str) -> Result<[u32; 2], String> {
+    let extent = |text: &str| text.parse().ok().filter(|extent| (1..=65536).contains(extent));
+    text.split_once(['x', 'X'])
+        .and_then(|(width, height)| Some([extent(width)?, extent(height)?]))
+        .ok_or_else(|| "give WIDTHxHEIGHT, each from 1 to 65536, as in 640x480".to_owned())
+}
+
+pub fn exposure(text: &str) -> Result<f32, String> {
+    let value = text.parse::<f32>().ok().filter(|value| value.is_finite());
+    value.ok_or_else(|| "give a number of stops".to_owned())
+}
+
+/// How a method's data is shown in 8 bits. The exposure is for light alone.
+pub fn tone(method: Method, exposure: f32) -> Tone {
+    match method {
+        Method::Vpl | Method::Direct => Tone::Radiance { exposure },
+        Method::Albedo => Tone::Radiance { exposure: 0.0 },
+        Method::Normal => Tone::Normal,
+        Method::Depth => Tone::Depth,
+    }
+}
+
+/// Makes one line of clap's many: what is wrong, its tips, and where to read on.
+pub fn usage_line(refusal: &str) -> String {
+    let mut line = String::new();
+    let mut command = "gpu-vpl".to_owned();
+    for part in refusal.lines().map(str::trim).filter(|part| !part.is_empty()) {
+        if let Some(usage) = part.strip_prefix("Usage: ") {
+            let words = usage.split(' ').take_while(|word| !word.starts_with(['[', '<', '-']));
+            command = words.collect::<Vec<_>>().join(" ");
+        } else if let Some(tip) = part.strip_prefix("tip: ") {
+            line.push_str("; ");
+            line.push_str(tip);
+        } else if !part.starts_with("For more information") {
+            line.push_str(if line.is_empty() { "" } else { " " });
+            line.push_str(part.strip_prefix("error: ").unwrap_or(part));
+        }
+    }
+    format!("{line}; see {command} --help")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_two_positive_numbers() {
+        assert_eq!(size("640x480"), Ok([640, 480]));
+        assert_eq!(size("1X65536"), Ok([1, 65536]));
+        let wrong = ["", "0", "640", "0x5", "5x0", "65537x1", "-1x5", "1x2x3", "x", "ax5", "1.5x2"];
+        assert!(wrong.iter().all(|text| size(text).is_err()));
+    }
+
+    #[test]
+    fn a_clamp_is_a_positive_bound_or_a_word() {
+        assert_eq!(clamp("auto"), Ok(Clamp::Auto));
+        assert_eq!(clamp("off"), Ok(Clamp::Off));
+        assert_eq!(clamp("1e-4"), Ok(Clamp::At(1e-4)));
+        assert!(["0", "-1", "inf", "nan", "", "on"].iter().all(|text| clamp(text).is_err()));
+    }
+
+    #[test]
+    fn a_later_method_is_told_from_an_unknown_one() {
+        assert_eq!(method("vpl"), Ok(Method::Vpl));
+        assert!(method("both").unwrap_err().contains("not supported yet"));
+        assert!(!method("bogus").unwrap_err().contains("yet"));
+        assert!(direct("clustered").unwrap_err().contains("not supported yet"));
+    }
+
+    #[test]
+    fn bounces_are_counted_or_unlimited() {
+        assert_eq!(bounces("0"), Ok(Bounces::Finite(0)));
+        assert_eq!(bounces("unlimited"), Ok(Bounces::Unlimited));
+        assert!(bounces("-1").is_err());
+    }
+
+    #[test]
+    fn a_refusal_is_one_line() {
+        let many = "error: invalid value 'x'\n  for this\n\n  tip: try y\n\n\
+                    Usage: gpu-vpl render [OPTIONS] <A>\n\nFor more information, try '--help'.\n";
+        assert_eq!(
+            usage_line(many),
+            "invalid value 'x' for this; try y; see gpu-vpl render --help"
+        );
+    }
+}

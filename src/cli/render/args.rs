@@ -1,0 +1,170 @@
+//! The options of `render`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::super::parse;
+use crate::error::Error;
+use crate::render::{Bounces, Clamp, Direct, Method, Settings};
+
+#[derive(Debug, Args)]
+pub struct RenderArgs {
+    /// A .toml scene file, a bare .obj, or builtin:NAME (see `gpu-vpl info`)
+    #[arg(default_value = "builtin:cornell")]
+    pub scene: String,
+
+    /// Image to write, .png or .exr; may be repeated; - is standard output, as PNG
+    #[arg(short, long = "output", value_name = "OUT", required = true)]
+    pub outputs: Vec<PathBuf>,
+
+    /// What to show: vpl, direct, normal, depth, albedo
+    #[arg(long, default_value = "vpl", value_parser = parse::method)]
+    pub method: Method,
+
+    /// Light paths; each leaves up to one VPL a bounce
+    #[arg(long, value_name = "N", default_value_t = Settings::default().light_paths,
+          value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
+    pub vpls: u32,
+
+    /// Indirect bounces, or unlimited
+    #[arg(long, value_name = "B", default_value = "2", value_parser = parse::bounces)]
+    pub bounces: Bounces,
+
+    /// Light straight from its source: per-pixel or off
+    #[arg(long, default_value = "per-pixel", value_parser = parse::direct)]
+    pub direct: Direct,
+
+    /// Shadow rays to area lights from each visible point [default: 16 a pixel]
+    #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub light_samples: Option<u32>,
+
+    /// Bound on the geometry term, in 1/length² of the scene's units, or auto, or off
+    #[arg(long, value_name = "BOUND", default_value = "auto", value_parser = parse::clamp,
+          allow_negative_numbers = true)]
+    pub clamp: Clamp,
+
+    /// Seed of all random numbers
+    #[arg(long, default_value_t = 0)]
+    pub seed: u32,
+
+    /// Width and height in pixels [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = parse::size, allow_negative_numbers = true)]
+    pub size: Option<[u32; 2]>,
+
+    /// Exposure of the PNG in stops [default: the scene's]
+    #[arg(long, value_name = "EV", value_parser = parse::exposure, allow_negative_numbers = true)]
+    pub exposure: Option<f32>,
+
+    /// Samples per pixel; all share one set of VPLs
+    #[arg(long, visible_alias = "spp", value_name = "S", default_value_t = 1,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    pub samples: u32,
+
+    /// Further images: normal, albedo, depth; layers of an EXR, NAME.normal.png beside a PNG
+    #[arg(long = "aov", value_name = "AOV,...", value_delimiter = ',', value_parser = parse::aov)]
+    pub aovs: Vec<Method>,
+
+    /// Frames to render on one prepared scene; the report times each
+    #[arg(long, value_name = "N", default_value_t = 1,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    pub repeat: u32,
+
+    /// Part of an adapter's name or driver, its index in `gpu-vpl info`, or cpu
+    /// [default: $WGPU_ADAPTER_NAME, else hardware before software]
+    #[arg(long, value_name = "NAME|INDEX")]
+    pub adapter: Option<String>,
+
+    /// Host threads [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+
+    /// Write what was done and how long each phase took, as JSON
+    #[arg(long, value_name = "FILE.json")]
+    pub report: Option<PathBuf>,
+
+    /// Fail on warnings that change the image, and on pixels that are not finite
+    #[arg(long)]
+    pub strict: bool,
+
+    /// Say nothing on standard error but errors
+    #[arg(long)]
+    pub quiet: bool,
+
+    /// Print how long each phase took
+    #[arg(long, conflicts_with = "quiet")]
+    pub verbose: bool,
+
+    #[command(flatten)]
+    pub later: LaterArgs,
+}
+
+impl RenderArgs {
+    /// What a frame depends on.
+    pub fn settings(&self) -> Settings {
+        Settings {
+            method: self.method,
+            light_paths: self.vpls,
+            bounces: self.bounces,
+            direct: self.direct,
+            light_samples: self.light_samples,
+            clamp: self.clamp,
+            samples: self.samples,
+        }
+    }
+}
+
+/// Options of the contract that are still to come: known by name, refused with a reason.
+#[derive(Debug, Args)]
+pub struct LaterArgs {
+    #[arg(long, hide = true)]
+    point_clusters: Option<String>,
+    #[arg(long, hide = true)]
+    vpl_clusters: Option<String>,
+    #[arg(long, hide = true)]
+    point_iterations: Option<String>,
+    #[arg(long, hide = true)]
+    vpl_iterations: Option<String>,
+    #[arg(long, hide = true, allow_negative_numbers = true)]
+    normal_threshold: Option<String>,
+    #[arg(long, hide = true)]
+    fuzzy: Option<String>,
+    #[arg(long, hide = true)]
+    kmeans_stride: Option<String>,
+    #[arg(long, hide = true)]
+    representative: Option<String>,
+    #[arg(long, hide = true)]
+    merge: Option<String>,
+    #[arg(long, hide = true)]
+    interleave: Option<String>,
+    #[arg(long, hide = true)]
+    compensate: bool,
+}
+
+impl LaterArgs {
+    /// Refuses the first of them that is given.
+    ///
+    /// # Errors
+    /// One is given.
+    pub fn check(&self) -> Result<(), Error> {
+        let given = [
+            ("point-clusters", self.point_clusters.is_some()),
+            ("vpl-clusters", self.vpl_clusters.is_some()),
+            ("point-iterations", self.point_iterations.is_some()),
+            ("vpl-iterations", self.vpl_iterations.is_some()),
+            ("normal-threshold", self.normal_threshold.is_some()),
+            ("fuzzy", self.fuzzy.is_some()),
+            ("kmeans-stride", self.kmeans_stride.is_some()),
+            ("representative", self.representative.is_some()),
+            ("merge", self.merge.is_some()),
+            ("interleave", self.interleave.is_some()),
+            ("compensate", self.compensate),
+        ];
+        match given.into_iter().find(|(_, given)| *given) {
+            Some((name, _)) => {
+                Err(Error::Usage(format!("--{name} is not supported yet; leave it out")))
+            }
+            None => Ok(()),
+        }
+    }
+}

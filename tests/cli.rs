@@ -1,0 +1,344 @@
+//! The program as its users meet it: command lines, exit codes, what is said, what is left.
+
+#![expect(clippy::expect_used, reason = "a helper of tests fails by panicking")]
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// The program in a directory of its own, and the number of files put there beforehand.
+struct Run {
+    directory: TempDir,
+    arguments: Vec<String>,
+    environment: Vec<(&'static str, &'static str)>,
+}
+
+/// What a run left behind.
+struct Outcome {
+    code: i32,
+    stdout: Vec<u8>,
+    stderr: String,
+    files: Vec<String>,
+}
+
+/// Splits a command line at blanks.
+fn run(line: &str) -> Run {
+    let directory = tempfile::tempdir().expect("a directory for the test");
+    let arguments = line.split_whitespace().map(str::to_owned).collect();
+    Run { directory, arguments, environment: Vec::new() }
+}
+
+impl Run {
+    fn env(mut self, name: &'static str, value: &'static str) -> Self {
+        self.environment.push((name, value));
+        self
+    }
+
+    fn path(&self, name: &str) -> std::path::PathBuf {
+        self.directory.path().join(name)
+    }
+
+    fn go(&self) -> Outcome {
+        let output = Command::new(env!("CARGO_BIN_EXE_gpu-vpl"))
+            .args(&self.arguments)
+            .env_remove("WGPU_ADAPTER_NAME")
+            .envs(self.environment.iter().copied())
+            .current_dir(self.directory.path())
+            .output()
+            .expect("the program starts");
+        Outcome {
+            code: output.status.code().expect("the program ends by itself"),
+            stdout: output.stdout,
+            stderr: String::from_utf8(output.stderr).expect("standard error is UTF-8"),
+            files: entries(self.directory.path()),
+        }
+    }
+
+    /// The run ends with this code and one line on standard error, and leaves no file but what
+    /// was there before.
+    fn fails(&self, code: i32, says: &str) {
+        let before = entries(self.directory.path());
+        let outcome = self.go();
+        let line = &self.arguments.join(" ");
+        assert_eq!(outcome.code, code, "{line}: {}", outcome.stderr);
+        assert_eq!(outcome.stdout, b"", "{line}");
+        assert!(outcome.stderr.starts_with("error: "), "{line}: {}", outcome.stderr);
+        assert_eq!(outcome.stderr.lines().count(), 1, "{line}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains(says), "{line}: {}", outcome.stderr);
+        assert_eq!(outcome.files, before, "{line}");
+    }
+
+    fn succeeds(&self) -> Outcome {
+        let outcome = self.go();
+        assert_eq!(outcome.code, 0, "{}: {}", self.arguments.join(" "), outcome.stderr);
+        outcome
+    }
+}
+
+fn entries(directory: &Path) -> Vec<String> {
+    let entries = fs::read_dir(directory).expect("the directory is there");
+    let mut names: Vec<_> =
+        entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+/// A render that takes next to no time.
+const SMALL: &str = "render --size 16x12 --vpls 20 --quiet";
+
+#[test]
+fn wrong_usage_is_code_2() {
+    for (line, says) in [
+        ("", "subcommand"),
+        ("paint", "paint"),
+        ("render", "--output"),
+        ("render -o a.png --bogus", "--bogus"),
+        ("render -o a.png b c", "'c'"),
+        ("render -o a.png --method bogus", "vpl, direct, normal, depth, albedo"),
+        ("render -o a.png --method both", "not supported yet"),
+        ("render -o a.png --direct clustered", "not supported yet"),
+        ("render -o a.png --fuzzy 2", "--fuzzy is not supported yet"),
+        ("render -o a.png --compensate", "--compensate is not supported yet"),
+        ("study builtin:cornell -o dir --fresh", "not supported yet"),
+        ("compare a.exr b.exr --json", "not supported yet"),
+        ("render -o a.png --size 0", "WIDTHxHEIGHT"),
+        ("render -o a.png --size 0x5", "WIDTHxHEIGHT"),
+        ("render -o a.png --size 5x65537", "WIDTHxHEIGHT"),
+        ("render -o a.png --size -5x5", "WIDTHxHEIGHT"),
+        ("render -o a.png --clamp 0", "--clamp"),
+        ("render -o a.png --clamp -1", "--clamp"),
+        ("render -o a.png --clamp nan", "--clamp"),
+        ("render -o a.png --clamp inf", "--clamp"),
+        ("render -o a.png --vpls 0", "--vpls"),
+        ("render -o a.png --vpls 16777217", "--vpls"),
+        ("render -o a.png --bounces -1", "--bounces"),
+        ("render -o a.png --bounces many", "unlimited"),
+        ("render -o a.png --samples 0", "--samples"),
+        ("render -o a.png --light-samples 0", "--light-samples"),
+        ("render -o a.png --seed -1", "--seed"),
+        ("render -o a.png --seed 4294967296", "--seed"),
+        ("render -o a.png --seed 1 --seed 2", "--seed"),
+        ("render -o a.png --exposure nan", "--exposure"),
+        ("render -o a.png --repeat 0", "--repeat"),
+        ("render -o a.png --threads 0", "--threads"),
+        ("render -o a.png --aov normals", "normal,albedo,depth"),
+        ("render -o a.png --quiet --verbose", "--verbose"),
+        ("info --bogus", "--bogus"),
+    ] {
+        run(line).fails(2, says);
+    }
+}
+
+#[test]
+fn outputs_that_clash_or_have_no_format_are_code_2() {
+    for (line, says) in [
+        ("render -o a.jpg", "a.jpg: unknown image format"),
+        ("render -o a", "unknown image format"),
+        ("render -o a.png -o a.png", "two outputs"),
+        ("render -o a.png -o ./a.png", "two outputs"),
+        ("render -o - -o -", "two outputs"),
+        ("render -o - --report -", "two outputs"),
+        ("render -o a.png --report a.png", "two outputs"),
+        ("render -o a.png -o a.depth.png --aov depth", "two outputs"),
+        ("render -o - --aov depth", "--aov needs files"),
+    ] {
+        run(line).fails(2, says);
+    }
+}
+
+#[test]
+fn outputs_that_cannot_be_written_are_code_1_before_anything_else() {
+    // The scene is missing too, which would be code 2: outputs are looked at first.
+    run("render none.obj -o missing/a.png").fails(1, "missing does not exist");
+    run("render none.obj -o a.png/").fails(1, "a.png/: cannot write");
+    run("render none.obj -o .").fails(1, "is a directory");
+    run("render none.obj -o a.png --report .").fails(1, "is a directory");
+    run("render none.obj -o a.png --report missing/a.json").fails(1, "does not exist");
+    let run = run("render none.obj -o a.png");
+    fs::write(run.path("a.png"), "old").unwrap();
+    let mut permissions = fs::metadata(run.path("a.png")).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(run.path("a.png"), permissions).unwrap();
+    run.fails(1, "a.png: cannot write: it is read-only");
+    assert_eq!(fs::read_to_string(run.path("a.png")).unwrap(), "old");
+}
+
+#[test]
+fn scenes_that_cannot_be_read_are_code_2() {
+    run("render none.obj -o a.png").fails(2, "none.obj");
+    run("render none.toml -o a.png").fails(2, "none.toml");
+    run("render none.xyz -o a.png").fails(2, "unknown kind of scene");
+    run("render builtin:none -o a.png").fails(2, "none");
+    run("info none.obj").fails(2, "none.obj");
+}
+
+#[test]
+fn a_name_with_a_line_break_is_still_one_line() {
+    let mut run = run("render -o a.png");
+    run.arguments.push("two\nlines.obj".to_owned());
+    run.fails(2, "two lines.obj");
+}
+
+#[test]
+fn an_adapter_that_is_not_there_is_code_3() {
+    let missing = "no-such-adapter";
+    run(&format!("{SMALL} -o a.png --adapter {missing}")).fails(3, missing);
+    run(&format!("{SMALL} -o a.png")).env("WGPU_ADAPTER_NAME", missing).fails(3, missing);
+    run(&format!("info --adapter {missing}")).fails(3, missing);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn without_a_driver_the_package_to_install_is_named() {
+    let without = |run: Run| {
+        run.env("VK_ICD_FILENAMES", "/nonexistent").env("VK_DRIVER_FILES", "/nonexistent")
+    };
+    without(run(&format!("{SMALL} -o a.png"))).fails(3, "mesa-vulkan-drivers");
+    // `info` is what one asks in that case, so it answers.
+    let outcome = without(run("info")).succeeds();
+    let text = String::from_utf8(outcome.stdout).unwrap();
+    assert!(text.contains("mesa-vulkan-drivers") && text.contains("builtin:cornell"), "{text}");
+}
+
+#[test]
+fn help_and_version_go_to_standard_output() {
+    for line in ["--help", "render --help", "info -h", "--version"] {
+        let outcome = run(line).succeeds();
+        assert!(!outcome.stdout.is_empty(), "{line}");
+        assert_eq!(outcome.stderr, "", "{line}");
+    }
+    let help = String::from_utf8(run("render --help").succeeds().stdout).unwrap();
+    assert!(!help.contains("--fuzzy"), "what is not supported yet is not offered");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_fault() {
+    let run = run("");
+    let program = env!("CARGO_BIN_EXE_gpu-vpl");
+    let script = format!("'{program}' render --help | true; '{program}' --help >&-; echo done");
+    let output = Command::new("sh").args(["-c", &script]).output().unwrap();
+    assert_eq!(output.stdout, b"done\n");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(!stderr.contains("panic") && !stderr.contains("internal"), "{stderr}");
+    drop(run);
+}
+
+#[test]
+fn info_lists_adapters_and_built_in_scenes() {
+    let text = String::from_utf8(run("info").succeeds().stdout).unwrap();
+    assert!(text.contains("adapters:") && text.contains("builtin:cornell"), "{text}");
+    let json: Value = serde_json::from_slice(&run("info --json").succeeds().stdout).unwrap();
+    let names: Vec<_> = json["builtin_scenes"].as_array().unwrap().iter().collect();
+    assert!(names.iter().any(|scene| scene["name"] == "builtin:cornell"), "{json}");
+    assert!(json["adapters"][0]["limits"].is_array(), "{json}");
+    assert!(json["chosen"]["name"].is_string(), "{json}");
+}
+
+#[test]
+fn info_says_what_a_scene_holds() {
+    let outcome = run("info builtin:cornell --json").succeeds();
+    let json: Value = serde_json::from_slice(&outcome.stdout).unwrap();
+    let scene = &json["scene"];
+    assert!(scene["triangles"].as_u64() > Some(10), "{scene}");
+    assert!(scene["emitting_triangles"].as_u64() > Some(0), "{scene}");
+    assert!(scene["bounds"][1][2].is_number(), "{scene}");
+    assert!(scene["left_out"].is_array(), "{scene}");
+    let text = String::from_utf8(run("info builtin:cornell").succeeds().stdout).unwrap();
+    assert!(text.contains("triangles") && text.contains("camera"), "{text}");
+}
+
+#[test]
+fn a_render_writes_every_output_and_nothing_else() {
+    let run = run(&format!("{SMALL} -o a.png -o b.EXR -o c.exr --aov normal,depth,normal"));
+    let outcome = run.succeeds();
+    assert_eq!(outcome.stderr, "");
+    assert_eq!(outcome.files, ["a.depth.png", "a.normal.png", "a.png", "b.EXR", "c.exr"]);
+    let png = image::open(run.path("a.png")).unwrap();
+    assert_eq!((png.width(), png.height()), (16, 12));
+    let exr = exr::prelude::read_all_flat_layers_from_file(run.path("c.exr")).unwrap();
+    let channels: Vec<_> =
+        exr.layer_data[0].channel_data.list.iter().map(|c| c.name.to_string()).collect();
+    assert_eq!(channels, ["B", "G", "R", "depth.Z", "normal.X", "normal.Y", "normal.Z"]);
+    let keys: Vec<_> = exr.layer_data[0].attributes.other.keys().map(ToString::to_string).collect();
+    for key in ["time", "method", "vpls", "seed", "clamp", "adapter"] {
+        assert!(keys.iter().any(|found| found == key), "{key} is not in {keys:?}");
+    }
+}
+
+#[test]
+fn standard_output_and_devices_are_written_directly() {
+    let outcome = run(&format!("{SMALL} -o -")).succeeds();
+    assert!(outcome.stdout.starts_with(b"\x89PNG"));
+    assert_eq!(outcome.files, [""; 0]);
+    if cfg!(unix) {
+        run(&format!("{SMALL} -o /dev/null")).succeeds();
+        assert!(!fs::metadata("/dev/null").unwrap().is_file());
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_device_is_code_1_and_takes_the_other_outputs_with_it() {
+    run(&format!("{SMALL} -o a.png -o /dev/full")).fails(1, "/dev/full: cannot write");
+}
+
+#[test]
+fn what_is_said_without_quiet_names_the_adapter() {
+    let stderr = run("render --size 4x4 --vpls 5 --verbose -o a.png").succeeds().stderr;
+    assert!(stderr.contains("adapter: "), "{stderr}");
+    assert!(stderr.contains("shading") && stderr.contains("total"), "{stderr}");
+}
+
+#[test]
+fn the_report_has_every_key() {
+    let run = run(&format!("{SMALL} -o a.png --report r.json --repeat 2 --seed 9 --threads 2"));
+    run.succeeds();
+    let report: Value = serde_json::from_slice(&fs::read(run.path("r.json")).unwrap()).unwrap();
+    let has = |value: &Value, keys: &str| {
+        for key in keys.split_whitespace() {
+            assert!(value.get(key).is_some(), "{key} is not in {value}");
+        }
+    };
+    has(
+        &report,
+        "schema version scene method seed width height samples adapter triangles spheres lights \
+         visible_points light_paths bounces vpls vpl_clusters point_clusters shadow_rays \
+         shading_terms seconds phases frames threads peak_memory_bytes clamp clamped_fraction \
+         nonfinite_pixels dropped_triangles left_out warnings",
+    );
+    has(&report["adapter"], "name backend driver device_type");
+    has(&report["seconds"], "preprocess render total");
+    has(
+        &report["phases"],
+        "load bvh device pipelines visible_points direct vpls cluster_points cluster_vpls \
+         visibility shading readback write",
+    );
+    assert_eq!(report["frames"].as_array().unwrap().len(), 2);
+    has(&report["frames"][1], "seconds preprocess render");
+    assert_eq!((&report["width"], &report["height"]), (&16.into(), &12.into()));
+    assert_eq!((&report["seed"], &report["threads"]), (&9.into(), &2.into()));
+    assert_eq!(report["light_paths"], 20);
+    assert_eq!(report["bounces"], 2);
+    assert!(report["vpls"].as_u64() > Some(0), "{report}");
+    let phases: f64 = report["phases"].as_object().unwrap().values().flat_map(Value::as_f64).sum();
+    let total = report["seconds"]["total"].as_f64().unwrap();
+    assert!(phases > 0.0 && phases <= total, "phases overlap: {phases} s of {total} s");
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bytes() {
+    let png = |options: &str| run(&format!("{SMALL} -o - {options}")).succeeds().stdout;
+    let first = png("--seed 5 --threads 1");
+    assert_eq!(png("--seed 5 --threads 2"), first);
+    assert_ne!(png("--seed 6"), first);
+}
+
+#[test]
+fn direct_light_alone_is_no_reason_to_warn() {
+    let run = run(&format!("{SMALL} -o a.png --bounces 0 --strict"));
+    assert_eq!(run.succeeds().stderr, "");
+}
