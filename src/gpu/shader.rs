@@ -37,7 +37,6 @@ pub mod module {
     use super::Module;
 
     modules! {
-        SUBGROUPS = "subgroups";
         TYPES = "types";
         SAMPLING = "sampling";
         TRAVERSE = "traverse";

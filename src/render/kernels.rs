@@ -5,8 +5,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
     DIRECT_AREA, DIRECT_POINT, EMIT, PAIR_BOUNDED, PAIR_UNBOUNDED, REFLECT, REMOVED, SAMPLING,
-    SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SUBGROUPS, TRAVERSE, TYPES,
-    VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TYPES, VISIBILITY,
+    VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Program};
 
@@ -31,7 +31,7 @@ pub fn direct_area() -> Program {
 /// Shadow rays between points and VPLs.
 pub fn visibility(subgroups: bool) -> Program {
     let modules = match subgroups {
-        true => vec![&SUBGROUPS, &TYPES, &VISIBILITY_PACKET],
+        true => vec![&TYPES, &VISIBILITY_PACKET],
         false => vec![&TYPES, &TRAVERSE, &VISIBILITY],
     };
     Program { label: "visibility", modules }
@@ -41,7 +41,7 @@ pub fn visibility(subgroups: bool) -> Program {
 pub fn shade(subgroups: bool, bounded: bool) -> Program {
     let pair = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
     let modules = match subgroups {
-        true => vec![&SUBGROUPS, &TYPES, pair, &SHADE_COOPERATIVE],
+        true => vec![&TYPES, pair, &SHADE_COOPERATIVE],
         false => vec![&TYPES, pair, &SHADE],
     };
     Program { label: "shading", modules }
