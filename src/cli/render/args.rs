@@ -28,7 +28,8 @@ pub struct RenderArgs {
     pub vpls: u32,
 
     /// Indirect bounces, or unlimited
-    #[arg(long, value_name = "B", default_value = "2", value_parser = parse::bounces)]
+    #[arg(long, value_name = "B", default_value = "2", value_parser = parse::bounces,
+          allow_hyphen_values = true)]
     pub bounces: Bounces,
 
     /// Light straight from its source: per-pixel or off
@@ -41,7 +42,7 @@ pub struct RenderArgs {
 
     /// Bound on the geometry term, in 1/length² of the scene's units, or auto, or off
     #[arg(long, value_name = "BOUND", default_value = "auto", value_parser = parse::clamp,
-          allow_negative_numbers = true)]
+          allow_hyphen_values = true)]
     pub clamp: Clamp,
 
     /// Seed of all random numbers
@@ -49,11 +50,11 @@ pub struct RenderArgs {
     pub seed: u32,
 
     /// Width and height in pixels [default: the scene's]
-    #[arg(long, value_name = "WxH", value_parser = parse::size, allow_negative_numbers = true)]
+    #[arg(long, value_name = "WxH", value_parser = parse::size, allow_hyphen_values = true)]
     pub size: Option<[u32; 2]>,
 
     /// Exposure of the PNG in stops [default: the scene's]
-    #[arg(long, value_name = "EV", value_parser = parse::exposure, allow_negative_numbers = true)]
+    #[arg(long, value_name = "EV", value_parser = parse::exposure, allow_hyphen_values = true)]
     pub exposure: Option<f32>,
 
     /// Samples per pixel; all share one set of VPLs
