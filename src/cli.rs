@@ -5,7 +5,7 @@ mod info;
 mod parse;
 mod render;
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::panic;
 use std::time::Instant;
 
@@ -53,12 +53,13 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>, started: Instant) -> 
 }
 
 fn run(arguments: Vec<OsString>, started: Instant) -> u8 {
+    let command = arguments.get(1).cloned();
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
-        Err(refusal) => return refuse(&refusal),
+        Err(refusal) => return refuse(&refusal, command.as_deref()),
     };
     let result = match cli.command {
-        Command::Render(args) => render::run(*args, started),
+        Command::Render(args) => render::run(&args, started),
         Command::Info(args) => info::run(&args),
         Command::Study(_) => not_yet("study"),
         Command::Compare(_) => not_yet("compare"),
@@ -78,7 +79,7 @@ fn not_yet(command: &str) -> Result<(), Error> {
 }
 
 /// Help and version are no errors; all else becomes one line.
-fn refuse(refusal: &clap::Error) -> u8 {
+fn refuse(refusal: &clap::Error, command: Option<&OsStr>) -> u8 {
     match refusal.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
             match console::print(&refusal.to_string()) {
@@ -89,8 +90,16 @@ fn refuse(refusal: &clap::Error) -> u8 {
                 }
             }
         }
+        ErrorKind::MissingSubcommand => {
+            console::error("no command given; there are render and info; see gpu-vpl --help");
+            2
+        }
         _ => {
-            console::error(&parse::usage_line(&refusal.to_string()));
+            let help = match command.and_then(OsStr::to_str) {
+                Some(command @ ("render" | "info")) => format!("gpu-vpl {command} --help"),
+                _ => "gpu-vpl --help".to_owned(),
+            };
+            console::error(&format!("{}; see {help}", parse::one_clause(&refusal.to_string())));
             2
         }
     }

@@ -92,10 +92,10 @@ const SMALL: &str = "render --size 16x12 --vpls 20 --quiet";
 #[test]
 fn wrong_usage_is_code_2() {
     for (line, says) in [
-        ("", "subcommand"),
+        ("", "no command given; there are render and info"),
         ("paint", "paint"),
         ("render", "--output"),
-        ("render -o a.png --bogus", "--bogus"),
+        ("render -o a.png --bogus", "see gpu-vpl render --help"),
         ("render -o a.png b c", "'c'"),
         ("render -o a.png --method bogus", "vpl, direct, normal, depth, albedo"),
         ("render -o a.png --method both", "not supported yet"),

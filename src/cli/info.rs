@@ -199,7 +199,8 @@ fn scene_in_words(text: &mut String, scene: &SceneInfo) -> std::fmt::Result {
     writeln!(text, "  camera             at {position} towards {direction}")?;
     writeln!(text, "                     {fov}° ({fov_axis}), {width} x {height} pixels")?;
     if let Some(left_out) = &scene.left_out {
-        writeln!(text, "  left out           {}", left_out.join(", "))?;
+        let left_out = if left_out.is_empty() { "nothing" } else { &left_out.join(", ") };
+        writeln!(text, "  left out           {left_out}")?;
     }
     for warning in &scene.warnings {
         writeln!(text, "  warning: {warning}")?;

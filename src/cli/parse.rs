@@ -81,23 +81,21 @@ pub fn tone(method: Method, exposure: f32) -> Tone {
     }
 }
 
-/// Makes one line of clap's many: what is wrong, its tips, and where to read on.
-pub fn usage_line(refusal: &str) -> String {
-    let mut line = String::new();
-    let mut command = "gpu-vpl".to_owned();
+/// Makes one line of clap's many: what is wrong, and its tips, without its usage.
+pub fn one_clause(refusal: &str) -> String {
+    let mut clause = String::new();
     for part in refusal.lines().map(str::trim).filter(|part| !part.is_empty()) {
-        if let Some(usage) = part.strip_prefix("Usage: ") {
-            let words = usage.split(' ').take_while(|word| !word.starts_with(['[', '<', '-']));
-            command = words.collect::<Vec<_>>().join(" ");
-        } else if let Some(tip) = part.strip_prefix("tip: ") {
-            line.push_str("; ");
-            line.push_str(tip);
-        } else if !part.starts_with("For more information") {
-            line.push_str(if line.is_empty() { "" } else { " " });
-            line.push_str(part.strip_prefix("error: ").unwrap_or(part));
+        if part.starts_with("Usage: ") || part.starts_with("For more information") {
+            break;
         }
+        let (joint, part) = match part.strip_prefix("tip: ") {
+            Some(tip) => ("; ", tip),
+            None => (" ", part.strip_prefix("error: ").unwrap_or(part)),
+        };
+        clause.push_str(if clause.is_empty() { "" } else { joint });
+        clause.push_str(part);
     }
-    format!("{line}; see {command} --help")
+    clause
 }
 
 #[cfg(test)]
@@ -139,9 +137,6 @@ mod tests {
     fn a_refusal_is_one_line() {
         let many = "error: invalid value 'x'\n  for this\n\n  tip: try y\n\n\
                     Usage: gpu-vpl render [OPTIONS] <A>\n\nFor more information, try '--help'.\n";
-        assert_eq!(
-            usage_line(many),
-            "invalid value 'x' for this; try y; see gpu-vpl render --help"
-        );
+        assert_eq!(one_clause(many), "invalid value 'x' for this; try y");
     }
 }

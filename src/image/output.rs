@@ -203,7 +203,8 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
     // As any program creates a file, so that the umask decides; tempfile's default is private.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(directory)
+    // The kind alone: the temporary name that tempfile adds says nothing to the user.
+    builder.tempfile_in(directory).map_err(|error| io::Error::from(error.kind()))
 }
 
 fn write_directly(destination: &Destination, bytes: &[u8]) -> io::Result<()> {

@@ -23,12 +23,14 @@ pub struct RenderArgs {
     pub method: Method,
 
     /// Light paths; each leaves up to one VPL a bounce
-    #[arg(long, value_name = "N", default_value_t = Settings::default().light_paths,
+    #[arg(long, allow_negative_numbers = true, value_name = "N",
+          default_value_t = Settings::default().light_paths,
           value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub vpls: u32,
 
     /// Indirect bounces, or unlimited
-    #[arg(long, value_name = "B", default_value = "2", value_parser = parse::bounces)]
+    #[arg(long, value_name = "B", default_value = "2", value_parser = parse::bounces,
+          allow_hyphen_values = true)]
     pub bounces: Bounces,
 
     /// Light straight from its source: per-pixel or off
@@ -36,29 +38,30 @@ pub struct RenderArgs {
     pub direct: Direct,
 
     /// Shadow rays to area lights from each visible point [default: 16 a pixel]
-    #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    #[arg(long, allow_negative_numbers = true, value_name = "S",
+          value_parser = clap::value_parser!(u32).range(1..=65536))]
     pub light_samples: Option<u32>,
 
     /// Bound on the geometry term, in 1/length² of the scene's units, or auto, or off
     #[arg(long, value_name = "BOUND", default_value = "auto", value_parser = parse::clamp,
-          allow_negative_numbers = true)]
+          allow_hyphen_values = true)]
     pub clamp: Clamp,
 
     /// Seed of all random numbers
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, allow_negative_numbers = true, default_value_t = 0)]
     pub seed: u32,
 
     /// Width and height in pixels [default: the scene's]
-    #[arg(long, value_name = "WxH", value_parser = parse::size, allow_negative_numbers = true)]
+    #[arg(long, value_name = "WxH", value_parser = parse::size, allow_hyphen_values = true)]
     pub size: Option<[u32; 2]>,
 
     /// Exposure of the PNG in stops [default: the scene's]
-    #[arg(long, value_name = "EV", value_parser = parse::exposure, allow_negative_numbers = true)]
+    #[arg(long, value_name = "EV", value_parser = parse::exposure, allow_hyphen_values = true)]
     pub exposure: Option<f32>,
 
     /// Samples per pixel; all share one set of VPLs
-    #[arg(long, visible_alias = "spp", value_name = "S", default_value_t = 1,
-          value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, allow_negative_numbers = true, visible_alias = "spp", value_name = "S",
+          default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub samples: u32,
 
     /// Further images: normal, albedo, depth; layers of an EXR, NAME.normal.png beside a PNG
@@ -66,7 +69,7 @@ pub struct RenderArgs {
     pub aovs: Vec<Method>,
 
     /// Frames to render on one prepared scene; the report times each
-    #[arg(long, value_name = "N", default_value_t = 1,
+    #[arg(long, allow_negative_numbers = true, value_name = "N", default_value_t = 1,
           value_parser = clap::value_parser!(u32).range(1..))]
     pub repeat: u32,
 
@@ -76,7 +79,8 @@ pub struct RenderArgs {
     pub adapter: Option<String>,
 
     /// Host threads [default: one a core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, allow_negative_numbers = true, value_name = "N",
+          value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
 
     /// Write what was done and how long each phase took, as JSON
@@ -100,6 +104,14 @@ pub struct RenderArgs {
 }
 
 impl RenderArgs {
+    /// The AOVs asked for, each once.
+    pub fn aovs(&self) -> Vec<Method> {
+        let mut aovs = self.aovs.clone();
+        aovs.sort_by_key(|aov| aov.name());
+        aovs.dedup();
+        aovs
+    }
+
     /// What a frame depends on.
     pub fn settings(&self) -> Settings {
         Settings {

@@ -1,0 +1,61 @@
+//! The frames of a run: the image itself, its repeats, its AOVs.
+
+use std::time::Instant;
+
+use crate::cli::console::Progress;
+use crate::gpu::GpuError;
+use crate::render::{self, Frame, Method, Prepared, Settings};
+use crate::report::FrameTimes;
+use crate::scene::Camera;
+
+/// What all frames of a run share.
+#[derive(Debug)]
+pub struct Job {
+    /// Scene and device.
+    pub prepared: Prepared,
+    /// Where it is seen from, in the size asked for.
+    pub camera: Camera,
+    /// How it is rendered.
+    pub settings: Settings,
+    /// Of all random numbers.
+    pub seed: u32,
+    /// No progress bar.
+    pub quiet: bool,
+}
+
+impl Job {
+    fn frame(&self, settings: &Settings) -> Result<Frame, GpuError> {
+        let bar = Progress::new(!self.quiet);
+        let progress = |fraction, phase| bar.set(fraction, phase);
+        render::frame(&self.prepared, &self.camera, settings, self.seed, &progress)
+    }
+
+    fn timed_frame(&self) -> Result<(Frame, FrameTimes), GpuError> {
+        let start = Instant::now();
+        let frame = self.frame(&self.settings)?;
+        let times = FrameTimes::new(start.elapsed(), &frame.phases);
+        Ok((frame, times))
+    }
+
+    /// Renders the same frame several times: the first, and the times of all.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn repeated(&self, repeat: u32) -> Result<(Frame, Vec<FrameTimes>), GpuError> {
+        let (first, cold) = self.timed_frame()?;
+        let mut times = vec![cold];
+        for _ in 1..repeat {
+            times.push(self.timed_frame()?.1);
+        }
+        Ok((first, times))
+    }
+
+    /// Renders what the camera sees as data.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn aovs(&self, methods: &[Method]) -> Result<Vec<(Method, Frame)>, GpuError> {
+        let frame = |&method| Ok((method, self.frame(&Settings { method, ..self.settings })?));
+        methods.iter().map(frame).collect()
+    }
+}

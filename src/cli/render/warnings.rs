@@ -1,0 +1,113 @@
+//! What the user should know, told once and kept for the report.
+
+use crate::cli::console;
+use crate::error::Error;
+use crate::render::{Bounces, Frame, Method, Settings};
+use crate::scene::Warning;
+
+/// The warnings of a run; under `--strict` those that change the image end it.
+#[derive(Debug)]
+pub struct Warnings {
+    quiet: bool,
+    strict: bool,
+    /// All of them so far, a line each.
+    pub messages: Vec<String>,
+}
+
+impl Warnings {
+    /// None yet.
+    pub fn new(quiet: bool, strict: bool) -> Self {
+        Self { quiet, strict, messages: Vec::new() }
+    }
+
+    /// Tells one, unless it ends the run.
+    ///
+    /// # Errors
+    /// It changes the image, and the run is strict.
+    pub fn add(&mut self, warning: Warning) -> Result<(), Error> {
+        if self.strict && warning.changes_image {
+            return Err(Error::Strict(format!("{} (an error under --strict)", warning.message)));
+        }
+        if !self.quiet {
+            console::warning(&warning.message);
+        }
+        self.messages.push(warning.message);
+        Ok(())
+    }
+
+    /// Warns of what a frame lacks.
+    ///
+    /// # Errors
+    /// It lacks something, and the run is strict.
+    pub fn check(&mut self, frame: &Frame, settings: &Settings) -> Result<(), Error> {
+        let missing = missing_vpls(frame, settings).into_iter();
+        missing
+            .chain(nonfinite_pixels(frame))
+            .try_for_each(|message| self.add(Warning { message, changes_image: true }))
+    }
+}
+
+fn missing_vpls(frame: &Frame, settings: &Settings) -> Option<String> {
+    let wanted = settings.method == Method::Vpl && settings.bounces != Bounces::Finite(0);
+    (wanted && frame.counts.vpls == 0).then(|| {
+        "no light path left a VPL, so the image renders direct light alone; look whether the \
+         lights reach a surface"
+            .to_owned()
+    })
+}
+
+/// The renderer's count, and where in the image the first of them is.
+fn nonfinite_pixels(frame: &Frame) -> Option<String> {
+    let first = frame.image.first_nonfinite();
+    let count = frame.counts.nonfinite_pixels.max(u64::from(first.is_some()));
+    let at = first.map_or(String::new(), |[x, y]| format!(", the first at column {x}, row {y}"));
+    (count > 0).then(|| format!("{count} pixels are not finite{at}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::image::Image;
+    use crate::render::{Counts, Phases};
+
+    fn frame(vpls: u64, pixel: f32) -> Frame {
+        let image = Image { width: 2, height: 1, pixels: vec![[0.0; 3], [0.0, pixel, 0.0]] };
+        let counts = Counts { vpls, ..Counts::default() };
+        Frame { image, counts, phases: Phases::default() }
+    }
+
+    fn messages(frame: &Frame, settings: &Settings) -> Vec<String> {
+        let mut warnings = Warnings::new(true, false);
+        warnings.check(frame, settings).unwrap();
+        let strict = Warnings::new(true, true).check(frame, settings);
+        assert_eq!(strict.is_err(), !warnings.messages.is_empty());
+        warnings.messages
+    }
+
+    #[test]
+    fn a_frame_without_faults_is_not_warned_of() {
+        assert_eq!(messages(&frame(1, 0.0), &Settings::default()), [""; 0]);
+    }
+
+    #[test]
+    fn missing_vpls_are_told_where_they_are_wanted() {
+        let settings = Settings::default();
+        assert!(messages(&frame(0, 0.0), &settings)[0].contains("direct light alone"));
+        let none_wanted = Settings { bounces: Bounces::Finite(0), ..settings };
+        assert_eq!(messages(&frame(0, 0.0), &none_wanted), [""; 0]);
+        let normals = Settings { method: Method::Normal, ..settings };
+        assert_eq!(messages(&frame(0, 0.0), &normals), [""; 0]);
+    }
+
+    #[test]
+    fn a_pixel_that_is_not_finite_is_located() {
+        let messages = messages(&frame(1, f32::NAN), &Settings::default());
+        assert_eq!(messages, ["1 pixels are not finite, the first at column 1, row 0"]);
+    }
+
+    #[test]
+    fn strictness_passes_what_does_not_change_the_image() {
+        let warning = Warning { message: "slow".to_owned(), changes_image: false };
+        assert!(Warnings::new(true, true).add(warning).is_ok());
+    }
+}
