@@ -152,34 +152,37 @@ impl MtlMaterial {
     }
 
     /// The nearest material that can be rendered, and what was lost on the way.
-    pub fn to_draft(&self) -> (DraftMaterial, Vec<Warning>) {
-        let mut warnings = Vec::new();
-        let place = format!("{}:{}: material `{}`", self.file.display(), self.line, self.name);
-        let mut albedo = self.diffuse.unwrap_or_else(|| match self.emission {
-            Some(_) => DVec3::ZERO,
-            None => {
-                warnings.push(Warning::note(format!("{place} has no Kd; 0.8 is used")));
-                DEFAULT_ALBEDO
-            }
-        });
-        let reflected = (albedo + self.specular).max_element();
-        if reflected > 1.0 {
-            warnings.push(Warning::changed(format!(
-                "{place} reflects more than it receives (Kd + Ks = {reflected}); scaled to 1"
-            )));
-            albedo /= reflected;
-        }
-        warnings.extend(self.left_out().map(|what| {
-            Warning::changed(format!("{place} has {what}, not supported yet; Kd alone is used"))
-        }));
+    pub fn to_draft(&self) -> (DraftMaterial, Option<Warning>) {
+        let colourless = self.diffuse.is_none() && self.emission.is_none();
+        let given = self.diffuse.unwrap_or(if colourless { DEFAULT_ALBEDO } else { DVec3::ZERO });
+        let reflected = (given + self.specular).max_element();
         let material = DraftMaterial {
             name: self.name.clone(),
-            albedo: albedo.min(DVec3::ONE),
+            albedo: if reflected > 1.0 { (given / reflected).min(DVec3::ONE) } else { given },
             emission: self.emission.unwrap_or_default(),
             two_sided: false,
             origin: Origin::line(&self.file, self.line),
         };
-        (material, warnings)
+        let mut faults = Vec::new();
+        if reflected > 1.0 {
+            faults.push(format!(
+                "reflects more than it receives (Kd + Ks = {reflected:.4}), scaled to 1"
+            ));
+        }
+        if let Some(what) = self.left_out() {
+            faults.push(format!("has {what}, not supported yet, Kd alone is used"));
+        }
+        let changes_image = !faults.is_empty();
+        if colourless {
+            faults.push("has no Kd, 0.8 is used".to_owned());
+        }
+        let message = || {
+            let Self { file, line, name, .. } = self;
+            format!("{}:{line}: material `{name}` {}", file.display(), faults.join("; "))
+        };
+        let warning =
+            (!faults.is_empty()).then(|| Warning { changes_image, ..Warning::note(message()) });
+        (material, warning)
     }
 
     /// What of it is not rendered.

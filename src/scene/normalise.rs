@@ -153,15 +153,15 @@ impl Distinct {
         let mut warnings = Vec::new();
         let flat = dropped - self.duplicates;
         if flat > 0 {
-            warnings.push(Warning::note(format!("{file}: {flat} triangles without area left out")));
+            warnings
+                .push(Warning::note(format!("{file}: triangles without area left out: {flat}")));
         }
         if self.duplicates > 0 {
-            let message = format!(
-                "{file}: {} duplicate triangles left out, the first of each kept",
-                self.duplicates
-            );
+            let message = format!("{file}: duplicates of triangles left out: {}", self.duplicates);
             warnings.push(match self.lost_light {
-                true => Warning::changed(message + "; some emit otherwise than the one kept"),
+                true => Warning::changed(
+                    message + "; some emit otherwise than the first, which is kept",
+                ),
                 false => Warning::note(message),
             });
         }

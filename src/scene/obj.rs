@@ -186,8 +186,8 @@ impl Mesh {
         let Some(material) = self.library.iter().find(|material| material.name == name) else {
             return Ok(None);
         };
-        let (material, warnings) = material.to_draft();
-        draft.warnings.extend(warnings);
+        let (material, warning) = material.to_draft();
+        draft.warnings.extend(warning);
         draft.add_material(material).map(Some)
     }
 

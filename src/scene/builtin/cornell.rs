@@ -12,7 +12,7 @@ const WHITE: [f64; 3] = [0.725, 0.71, 0.68];
 const RED: [f64; 3] = [0.63, 0.065, 0.05];
 const GREEN: [f64; 3] = [0.14, 0.45, 0.091];
 const LIGHT_ALBEDO: [f64; 3] = [0.78; 3];
-const RADIANCE: [f64; 3] = [17.0, 12.0, 4.0];
+const RADIANCE: [f64; 3] = [27.0, 20.0, 9.0];
 
 /// A quad of the measurements.
 type Quad = [[f64; 3]; 4];

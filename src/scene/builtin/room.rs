@@ -71,8 +71,8 @@ fn materials(shapes: &mut Shapes) -> Result<Materials, SceneError> {
             shapes.diffuse("book blue", [0.11, 0.17, 0.45])?,
             shapes.diffuse("book ivory", [0.76, 0.70, 0.55])?,
         ],
-        lamp: shapes.light("cornice lamp", [0.0; 3], [30.0, 25.0, 18.0])?,
-        panel: shapes.light("panel lamp", [0.0; 3], [5.0, 6.0, 7.5])?,
+        lamp: shapes.light("cornice lamp", [0.0; 3], [44.0, 37.0, 27.0])?,
+        panel: shapes.light("panel lamp", [0.0; 3], [7.0, 8.5, 10.5])?,
     })
 }
 
@@ -176,8 +176,8 @@ fn statues(shapes: &mut Shapes, m: &Materials) {
         let rim = dvec3(0.06, 0.0, 0.06);
         shapes.block(m.slate, dvec3(low.x, height, low.z) - rim, high + rim + 0.06 * DVec3::Y);
     };
-    pedestal(shapes, 0.6, 9.0, 0.55, 0.7);
-    shapes.knot(m.gold, dvec3(0.6, 1.65, 9.0), 0.50, 0.14, [288, 32]);
+    pedestal(shapes, 0.6, 7.0, 0.65, 0.7);
+    shapes.knot(m.gold, dvec3(0.6, 1.32, 7.0), 0.55, 0.15, [288, 32]);
     for (i, &z) in BAYS.iter().enumerate().take(5) {
         let middle = z + 1.9;
         for (x, smooth) in [(-COLUMN_X, i % 2 == 0), (COLUMN_X, i % 2 == 1)] {
@@ -248,11 +248,10 @@ fn stairs(shapes: &mut Shapes, m: &Materials) {
     let start = 18.4;
     for i in 0..steps {
         let z = start + f64::from(i) * run;
-        let (low, high) = (f64::from(i) * rise, f64::from(i + 1) * rise);
+        let high = f64::from(i + 1) * rise;
         let back = if i + 1 == steps { LENGTH - 0.001 } else { z + run };
         // Each step reaches down to the floor; its back is hidden by the next.
         shapes.block(m.plaster, dvec3(-2.6, 0.0, z), dvec3(2.6, high, back));
         shapes.block(m.wood, dvec3(-2.0, high, z - 0.02), dvec3(2.0, high + 0.015, z + run - 0.03));
-        let _ = low;
     }
 }

@@ -35,9 +35,11 @@ impl Shapes<'_> {
         })
     }
 
-    /// A quad, counter-clockwise from its front.
+    /// A quad, counter-clockwise from its front; a triangle where two neighbours coincide.
     pub fn quad(&mut self, material: u32, [a, b, c, d]: [DVec3; 4]) {
-        self.draft.triangles.extend([([a, b, c], material), ([a, c, d], material)]);
+        let is_flat = |[a, b, c]: &[DVec3; 3]| a == b || b == c || c == a;
+        let halves = [[a, b, c], [a, c, d]].into_iter().filter(|half| !is_flat(half));
+        self.draft.triangles.extend(halves.map(|half| (half, material)));
     }
 
     /// A parallelogram of n × m quads, its normal along u × v; `color` gives each quad's
