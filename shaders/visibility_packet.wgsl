@@ -29,50 +29,6 @@ struct VisibilityParams {
 // Rays traced, in two words.
 @group(0) @binding(10) var<storage, read_write> counter: array<atomic<u32>, 2>;
 
-const HUGE = 1e30;
-const WIDEN = 1.000001;
-
-// The bounds of a packet's segments, seen from their origin: reciprocals of the ends of each
-// axis where a slab is entered or left, as far as these exist.
-struct Shaft {
-    origin: vec3f,
-    // 1 / high where high > 0, 1 / low where low < 0; elsewhere beyond reach.
-    enter_up: vec3f,
-    enter_down: vec3f,
-    // 1 / low where low > 0, 1 / high where high < 0; elsewhere 0, with `never` set.
-    leave_up: vec3f,
-    leave_down: vec3f,
-    never_up: vec3f,
-    never_down: vec3f,
-}
-
-fn shaft(origin: vec3f, low: vec3f, high: vec3f) -> Shaft {
-    let up = high > vec3f(1.0 / HUGE);
-    let down = low < vec3f(-1.0 / HUGE);
-    let all_up = low > vec3f(1.0 / HUGE);
-    let all_down = high < vec3f(-1.0 / HUGE);
-    return Shaft(
-        origin,
-        select(vec3f(HUGE), 1.0 / high, up),
-        select(vec3f(-HUGE), 1.0 / low, down),
-        select(vec3f(0.0), 1.0 / low, all_up),
-        select(vec3f(0.0), 1.0 / high, all_down),
-        select(vec3f(HUGE), vec3f(0.0), all_up),
-        select(vec3f(HUGE), vec3f(0.0), all_down),
-    );
-}
-
-// Whether some segment of the shaft may meet the box.
-fn may_meet(s: Shaft, box_low: vec3f, box_high: vec3f) -> bool {
-    let low = box_low - s.origin;
-    let high = box_high - s.origin;
-    let enter = max(low * s.enter_up, high * s.enter_down);
-    let leave = min(high * s.leave_up + s.never_up, low * s.leave_down + s.never_down);
-    let near = max(max(enter.x, enter.y), max(enter.z, 0.0));
-    let far = min(min(leave.x, leave.y), min(leave.z, 1.0));
-    return near <= far * WIDEN;
-}
-
 // The plane of a triangle and its edges, relative to the origin of a packet.
 struct Blocker {
     bc: vec3f,
@@ -162,7 +118,7 @@ fn main(
         var open3 = is3 && dot(b3, p3.normal) < 0.0 && dot(b3, vpl.normal) > 0.0;
         rays += u32(open0) + u32(open1) + u32(open2) + u32(open3);
 
-        let s = shaft(origin, low - origin, high - origin);
+        let bounds = packet_bounds(low - origin, high - origin, d0, d1, d2, d3);
         let none = !subgroupAny(open0 || open1 || open2 || open3);
         var at = select(0u, params.nodes, none);
         while at < params.nodes {
@@ -181,7 +137,8 @@ fn main(
                     subgroupBroadcast(loaded, 5u),
                     subgroupBroadcast(loaded, 6u),
                 );
-                let met = may_meet(s, box_low, box_high);
+                let open = vec4<bool>(open0, open1, open2, open3);
+                let met = may_meet(bounds, box_low - origin, box_high - origin, open);
                 leaf = select(0u, bitcast<u32>(subgroupBroadcast(loaded, 7u)), met);
                 at = select(skip, at + 1u, met);
                 if leaf != 0u { break; }

@@ -33,6 +33,7 @@ pub struct Gpu {
     pub info: AdapterInfo,
     device: wgpu::Device,
     queue: wgpu::Queue,
+    subgroups: bool,
     lost: Arc<AtomicBool>,
     /// Errors that no scope caught (wgpu's default is to panic).
     uncaptured: Arc<Mutex<Option<wgpu::Error>>>,
@@ -67,7 +68,9 @@ impl Gpu {
                 slot.get_or_insert(error);
             }
         }));
-        Ok(Self { info, device, queue, lost, uncaptured })
+        let subgroups = device.features().contains(wgpu::Features::SUBGROUP)
+            && device.adapter_info().subgroup_min_size >= 8;
+        Ok(Self { info, device, queue, subgroups, lost, uncaptured })
     }
 
     /// The limits of the device, which are those of the adapter.
@@ -77,8 +80,13 @@ impl Gpu {
 
     /// Whether kernels that share loads across at least 8 lanes can run here.
     pub fn has_subgroups(&self) -> bool {
-        self.device.features().contains(wgpu::Features::SUBGROUP)
-            && self.device.adapter_info().subgroup_min_size >= 8
+        self.subgroups
+    }
+
+    /// The same device, made to run the plain kernels, as an adapter without subgroups does.
+    pub fn without_subgroups(mut self) -> Self {
+        self.subgroups = false;
+        self
     }
 
     /// Runs `work` and turns what the device complains about meanwhile into an error.

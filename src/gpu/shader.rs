@@ -44,6 +44,8 @@ pub mod module {
         DIRECT_POINT = "direct_point" for "point lights";
         DIRECT_AREA = "direct_area" for "area lights";
         VISIBILITY = "visibility" for "indirect light";
+        PACKET_SHAFT = "packet_shaft";
+        PACKET_RAYS = "packet_rays";
         VISIBILITY_PACKET = "visibility_packet" for "indirect light";
         SHADE = "shade" for "indirect light";
         SHADE_COOPERATIVE = "shade_cooperative" for "indirect light";

@@ -4,9 +4,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
-    DIRECT_AREA, DIRECT_POINT, EMIT, PAIR_BOUNDED, PAIR_UNBOUNDED, REFLECT, REMOVED, SAMPLING,
-    SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TYPES, VISIBILITY,
-    VISIBILITY_PACKET, VISIBLE,
+    DIRECT_AREA, DIRECT_POINT, EMIT, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED,
+    REFLECT, REMOVED, SAMPLING, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
+    TRAVERSE, TYPES, VISIBILITY, VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Program};
 
@@ -28,13 +28,43 @@ pub fn direct_area() -> Program {
     }
 }
 
+/// How the shadow rays between points and VPLs are traced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tracing {
+    /// Each ray by itself, for adapters without subgroups.
+    Single,
+    /// Packets against boxes as a whole.
+    Shaft,
+    /// Packets against boxes ray by ray.
+    Rays,
+}
+
+impl Tracing {
+    /// Hierarchies of more nodes have boxes so small that a packet is best tested ray by ray.
+    const SHAFT_NODES: usize = 1000;
+
+    fn of(prepared: &Prepared) -> Self {
+        match prepared.gpu.has_subgroups() {
+            false => Self::Single,
+            true if prepared.bvh.nodes.len() <= Self::SHAFT_NODES => Self::Shaft,
+            true => Self::Rays,
+        }
+    }
+}
+
 /// Shadow rays between points and VPLs.
-pub fn visibility(subgroups: bool) -> Program {
-    let modules = match subgroups {
-        true => vec![&TYPES, &VISIBILITY_PACKET],
-        false => vec![&TYPES, &TRAVERSE, &VISIBILITY],
+pub fn visibility(tracing: Tracing) -> Program {
+    let modules = match tracing {
+        Tracing::Single => vec![&TYPES, &TRAVERSE, &VISIBILITY],
+        Tracing::Shaft => vec![&TYPES, &PACKET_SHAFT, &VISIBILITY_PACKET],
+        Tracing::Rays => vec![&TYPES, &PACKET_RAYS, &VISIBILITY_PACKET],
     };
     Program { label: "visibility", modules }
+}
+
+/// The visibility program that suits a scene and its device.
+pub fn visibility_for(prepared: &Prepared) -> Program {
+    visibility(Tracing::of(prepared))
 }
 
 /// Shading of points by VPLs.
@@ -91,7 +121,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     if settings.traces_light_paths() {
         let subgroups = prepared.gpu.has_subgroups();
         let bounded = settings.clamp != Clamp::Off;
-        programs.extend([visibility(subgroups), shade(subgroups, bounded), reflect()]);
+        programs.extend([visibility_for(prepared), shade(subgroups, bounded), reflect()]);
         programs.extend(bounded.then(removed));
     }
     programs
@@ -142,8 +172,8 @@ impl Kernels {
 pub fn all_programs() -> Vec<Program> {
     let mut programs =
         vec![visible_points(), direct_point(), direct_area(), emit(), reflect(), removed()];
+    programs.extend([Tracing::Single, Tracing::Shaft, Tracing::Rays].map(visibility));
     for subgroups in [false, true] {
-        programs.push(visibility(subgroups));
         programs.extend([false, true].map(|bounded| shade(subgroups, bounded)));
     }
     programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));

@@ -143,7 +143,7 @@ impl<'a> TileRenderer<'a> {
                 kernels::direct_area(),
                 area_lights.as_ref(),
             )?,
-            visibility: stage(bounced, kernels::visibility(subgroups), None)?,
+            visibility: stage(bounced, kernels::visibility_for(prepared), None)?,
             shade: stage(bounced, kernels::shade(subgroups, clamps), None)?,
             reflect: stage(gathers, kernels::reflect(), None)?,
             removed: stage(clamps, kernels::removed(), None)?,
