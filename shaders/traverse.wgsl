@@ -37,12 +37,24 @@ fn finite_reciprocal(x: vec3f) -> vec3f {
     return select(huge, 1.0 / x, abs(x) > vec3f(1.0 / HUGE));
 }
 
-// The nearest hit at 0 < t < limit, or, with `any`, the first one met.
-fn traverse(origin: vec3f, direction: vec3f, limit: f32, node_count: u32, any: bool) -> Hit {
+fn load_triangle(i: u32) -> Triangle {
+    return triangles[i];
+}
+
+// The nearest hit at 0 < t < limit, or, with `any`, the first one met. No ray is traced where
+// the limit is 0.
+fn traverse(
+    origin: vec3f,
+    direction: vec3f,
+    limit: f32,
+    node_count: u32,
+    any: bool,
+    invocation: u32,
+) -> Hit {
     let reciprocal = finite_reciprocal(direction);
     var best = Hit(limit, NOTHING, vec3f(0.0));
     var lowest = NOTHING;
-    var at = 0u;
+    var at = select(0u, node_count, limit <= 0.0);
     while at < node_count {
         let node = nodes[at];
         let t0 = (node.low - origin) * reciprocal;

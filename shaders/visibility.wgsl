@@ -34,7 +34,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         rays++;
         let origin = vpl.position + params.offset * vpl.normal;
         let end = point.position + params.offset * point.normal;
-        let hit = traverse(origin, end - origin, 1.0, params.nodes, true);
+        let hit = traverse(origin, end - origin, 1.0, params.nodes, true, 0u);
         if hit.triangle == NOTHING { seen |= 1u << i; }
     }
     bits[(word - params.matrix_word) * params.rows + id.x] = seen;

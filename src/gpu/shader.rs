@@ -40,6 +40,7 @@ pub mod module {
         TYPES = "types";
         SAMPLING = "sampling";
         TRAVERSE = "traverse";
+        TRAVERSE_PACKET = "traverse_packet";
         VISIBLE = "visible_points";
         DIRECT_POINT = "direct_point" for "point lights";
         DIRECT_AREA = "direct_area" for "area lights";

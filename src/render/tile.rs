@@ -129,18 +129,18 @@ impl<'a> TileRenderer<'a> {
         let bounced = indirect.is_some();
         let show = kernels::show(settings.method);
         Ok(Self {
-            visible: stage(true, kernels::visible_points(), None)?
+            visible: stage(true, kernels::visible_points(subgroups), None)?
                 .ok_or_else(|| GpuError::Invalid("no camera pass".to_owned()))?,
             show: show.map(|program| stage(true, program, None)).transpose()?.flatten(),
             emit: stage(lit && area_lights.is_some(), kernels::emit(), None)?,
             direct_point: stage(
                 direct && point_lights.is_some(),
-                kernels::direct_point(),
+                kernels::direct_point(subgroups),
                 point_lights.as_ref(),
             )?,
             direct_area: stage(
                 direct && area_lights.is_some(),
-                kernels::direct_area(),
+                kernels::direct_area(subgroups),
                 area_lights.as_ref(),
             )?,
             visibility: stage(bounced, kernels::visibility_for(prepared), None)?,
@@ -258,23 +258,25 @@ impl TileRenderer<'_> {
         let mut time = Duration::ZERO;
         let lights = &self.prepared.lights;
         let kinds = [
-            (&self.direct_point, lights.point.len() as u32, lights.point.len() as u32, 0),
-            (&self.direct_area, lights.area.len() as u32, samples, tile.sample * samples),
+            (&self.direct_point, lights.point.len() as u32, lights.point.len() as u32),
+            (&self.direct_area, lights.area.len() as u32, samples),
         ];
-        for (stage, lights, rays, first) in kinds {
+        for (stage, lights, rays) in kinds {
             if let Some(stage) = stage {
                 for start in (0..rays).step_by(slice as usize) {
                     let params = DirectParams {
                         points: tile.points(),
                         lights,
-                        first: first.wrapping_add(start),
+                        first: start,
                         count: slice.min(rays - start),
                         seed: hash(self.seed),
                         first_block: tile.first_block,
                         offset: SURFACE_OFFSET,
                         nodes: self.prepared.bvh.nodes.len() as u32,
-                        weight: 1.0 / rays as f32,
-                        pad: [0; 3],
+                        sample: tile.sample,
+                        samples: self.settings.samples,
+                        weight: 1.0 / (rays as f32 * self.settings.samples as f32),
+                        share: 1.0 / rays as f32,
                     };
                     time += self.run(stage, &params, [tile.blocks, 1])?;
                 }
