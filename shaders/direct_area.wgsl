@@ -1,21 +1,6 @@
 // Irradiance from the emitting triangles, by a stratified sample set: the light by its
 // power, the position uniform on it.
 
-struct DirectParams {
-    points: u32,
-    lights: u32,
-    first: u32,
-    count: u32,
-    seed: u32,
-    first_block: u32,
-    offset: f32,
-    nodes: u32,
-    sample: u32,
-    samples: u32,
-    weight: f32,
-    share: f32,
-}
-
 struct AreaLight {
     corner: vec3f,
     before: f32,
@@ -29,9 +14,6 @@ struct AreaLight {
     pad: f32,
 }
 
-@group(0) @binding(0) var<uniform> params: DirectParams;
-@group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
 @group(0) @binding(9) var<storage, read> lights: array<AreaLight>;
 
 // The light whose interval of probability holds u.

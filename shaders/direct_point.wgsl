@@ -1,20 +1,5 @@
 // Irradiance from the point lights, each by one exact shadow ray.
 
-struct DirectParams {
-    points: u32,
-    lights: u32,
-    first: u32,
-    count: u32,
-    seed: u32,
-    first_block: u32,
-    offset: f32,
-    nodes: u32,
-    sample: u32,
-    samples: u32,
-    weight: f32,
-    share: f32,
-}
-
 struct PointLight {
     position: vec3f,
     pad0: f32,
@@ -22,9 +7,6 @@ struct PointLight {
     pad1: f32,
 }
 
-@group(0) @binding(0) var<uniform> params: DirectParams;
-@group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
 @group(0) @binding(9) var<storage, read> lights: array<PointLight>;
 
 // No invocation returns early: a subgroup may trace its rays together.

@@ -4,9 +4,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
-    DIRECT_AREA, DIRECT_POINT, EMIT, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED,
-    REFLECT, REMOVED, SAMPLING, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
-    TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    BITS, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, GATHER, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED,
+    PAIR_UNBOUNDED, RAY, REFLECT, REMOVED, SAMPLING, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO,
+    SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET,
+    VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -17,19 +18,19 @@ fn traverse(subgroups: bool) -> &'static Module {
 
 /// Camera rays.
 pub fn visible_points(subgroups: bool) -> Program {
-    let modules = vec![&TYPES, &SAMPLING, traverse(subgroups), &VISIBLE];
+    let modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &VISIBLE];
     Program { label: "visible points", modules }
 }
 
 /// Direct light from point lights.
 pub fn direct_point(subgroups: bool) -> Program {
-    let modules = vec![&TYPES, traverse(subgroups), &DIRECT_POINT];
+    let modules = vec![&TYPES, &RAY, traverse(subgroups), &DIRECT, &DIRECT_POINT];
     Program { label: "direct light, points", modules }
 }
 
 /// Direct light from emitting triangles.
 pub fn direct_area(subgroups: bool) -> Program {
-    let modules = vec![&TYPES, &SAMPLING, traverse(subgroups), &DIRECT_AREA];
+    let modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &DIRECT, &DIRECT_AREA];
     Program { label: "direct light, areas", modules }
 }
 
@@ -60,9 +61,9 @@ impl Tracing {
 /// Shadow rays between points and VPLs.
 pub fn visibility(tracing: Tracing) -> Program {
     let modules = match tracing {
-        Tracing::Single => vec![&TYPES, &TRAVERSE, &VISIBILITY],
-        Tracing::Shaft => vec![&TYPES, &PACKET_SHAFT, &VISIBILITY_PACKET],
-        Tracing::Rays => vec![&TYPES, &PACKET_RAYS, &VISIBILITY_PACKET],
+        Tracing::Single => vec![&TYPES, &RAY, &TRAVERSE, &BITS, &VISIBILITY],
+        Tracing::Shaft => vec![&TYPES, &RAY, &BITS, &PACKET_SHAFT, &VISIBILITY_PACKET],
+        Tracing::Rays => vec![&TYPES, &RAY, &BITS, &PACKET_RAYS, &VISIBILITY_PACKET],
     };
     Program { label: "visibility", modules }
 }
@@ -76,8 +77,8 @@ pub fn visibility_for(prepared: &Prepared) -> Program {
 pub fn shade(subgroups: bool, bounded: bool) -> Program {
     let pair = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
     let modules = match subgroups {
-        true => vec![&TYPES, pair, &SHADE_COOPERATIVE],
-        false => vec![&TYPES, pair, &SHADE],
+        true => vec![&TYPES, pair, &GATHER, &SHADE_COOPERATIVE],
+        false => vec![&TYPES, pair, &GATHER, &SHADE],
     };
     Program { label: "shading", modules }
 }
