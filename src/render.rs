@@ -1,8 +1,10 @@
 //! The pipeline: what is prepared once, and the passes of a frame in their order.
 
+mod film;
 mod kernels;
 mod light;
 mod settings;
+mod stages;
 mod tile;
 mod vpl;
 
@@ -18,7 +20,8 @@ pub use light::Lights;
 pub use settings::{Bounces, Clamp, Direct, Method, Settings};
 pub use vpl::{LightPaths, Vpl};
 
-use tile::{Indirect, TileRenderer};
+use stages::Indirect;
+use tile::TileRenderer;
 
 /// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels
 /// and the buffers of the scene.
