@@ -58,10 +58,14 @@ pub fn read(file: &Path) -> Result<Mesh, SceneError> {
             }
         }
     }
-    let Scan { text, names, mut warnings, .. } = scan;
+    let Scan { text, names, mut warnings, without_surface, .. } = scan;
     let triangles = read_polygons(file, &text, names.len(), &mut warnings)?;
     if triangles.is_empty() {
-        return Err(SceneError::new(file, "no faces: nothing to render"));
+        let what = "no face of three corners or more: nothing to render";
+        return Err(match without_surface {
+            Some(line) => SceneError::at(file, line, what),
+            None => SceneError::new(file, what),
+        });
     }
     Ok(Mesh { triangles, names, library, missing, file: file.to_owned(), warnings })
 }

@@ -64,8 +64,9 @@ fn faults_are_refused_with_their_line() {
 
 #[test]
 fn nothing_to_render_is_refused() {
-    refused(load_obj(""), "mesh.obj", "no faces");
-    refused(load_obj(&format!("{SQUARE}l 1 2\np 3\nf 1 2\n")), "mesh.obj", "no faces");
+    refused(load_obj(""), "mesh.obj", "no face of three corners");
+    let empty = format!("{SQUARE}l 1 2\np 3\nf 1 2\n");
+    refused(load_obj(&empty), "mesh.obj:5", "no face of three corners");
     refused(load_obj(&format!("{SQUARE}f 1 2 2\n")), "mesh.obj", "nothing to render");
     refused(load_obj("v 1e200 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"), "mesh.obj", "1e100");
 }

@@ -27,6 +27,8 @@ pub struct Scan {
     /// What `mtllib` names, a whole line each.
     pub libraries: Vec<Named>,
     pub warnings: Vec<Warning>,
+    /// The first line of points, of a line, or of a face of fewer than three corners.
+    pub without_surface: Option<usize>,
 }
 
 /// Checks an OBJ file.
@@ -222,7 +224,8 @@ impl Scanner<'_> {
             notes.into_iter().filter_map(some).map(Warning::note).collect();
         let free_form = (&self.free_form, "free-form curves or surfaces are left out");
         warnings.extend(some(free_form).map(Warning::changed));
-        Ok(Scan { warnings, ..self.scan })
+        let Tally { count, first } = self.no_surface;
+        Ok(Scan { warnings, without_surface: (count > 0).then_some(first), ..self.scan })
     }
 }
 
