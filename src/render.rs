@@ -1,6 +1,6 @@
 //! The pipeline: what is prepared once, and the passes of a frame in their order.
 
-mod kernels;
+pub mod kernels;
 mod light;
 mod settings;
 mod tile;

@@ -1,0 +1,34 @@
+// Traces an array of rays, for tests/traversal.rs.
+
+struct TestRay {
+    origin: vec3f,
+    limit: f32,
+    direction: vec3f,
+    any: u32,
+}
+
+struct TestHit {
+    weights: vec3f,
+    t: f32,
+    // In the scene, not in leaf order; NOTHING if there is no hit.
+    triangle: u32,
+    material: u32,
+    pad0: u32,
+    pad1: u32,
+}
+
+@group(0) @binding(3) var<storage, read> rays: array<TestRay>;
+@group(0) @binding(4) var<storage, read_write> hits: array<TestHit>;
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= arrayLength(&rays) { return; }
+    let ray = rays[id.x];
+    let hit = traverse(ray.origin, ray.direction, ray.limit, arrayLength(&nodes), ray.any != 0u);
+    if hit.triangle == NOTHING {
+        hits[id.x] = TestHit(vec3f(0.0), hit.t, NOTHING, NOTHING, 0u, 0u);
+        return;
+    }
+    let triangle = triangles[hit.triangle];
+    hits[id.x] = TestHit(hit.weights, hit.t, triangle.index, triangle.material, 0u, 0u);
+}
