@@ -1,7 +1,9 @@
 //! What several test files need: a device, random numbers, scenes built by hand.
 
 #![allow(dead_code, reason = "each test file uses its own share")]
-#![allow(clippy::expect_used, reason = "a helper of tests fails by panicking")]
+#![allow(clippy::expect_used, clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
+
+pub mod tracing;
 
 use std::sync::OnceLock;
 
