@@ -1,21 +1,6 @@
 // Irradiance from the emitting triangles, by a stratified sample set: the light by its
 // power, the position uniform on it.
 
-struct DirectParams {
-    points: u32,
-    lights: u32,
-    first: u32,
-    count: u32,
-    seed: u32,
-    first_block: u32,
-    offset: f32,
-    nodes: u32,
-    weight: f32,
-    pad0: u32,
-    pad1: u32,
-    pad2: u32,
-}
-
 struct AreaLight {
     corner: vec3f,
     before: f32,
@@ -29,9 +14,6 @@ struct AreaLight {
     pad: f32,
 }
 
-@group(0) @binding(0) var<uniform> params: DirectParams;
-@group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
 @group(0) @binding(9) var<storage, read> lights: array<AreaLight>;
 
 // The light whose interval of probability holds u.
@@ -45,16 +27,20 @@ fn choose(u: f32) -> u32 {
     return low;
 }
 
+// No invocation returns early: a subgroup may trace its rays together.
 @compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3u) {
-    if id.x >= params.points { return; }
-    let point = points[id.x];
-    if point.surface == NOTHING { return; }
+fn main(
+    @builtin(global_invocation_id) id: vec3u,
+    @builtin(local_invocation_index) invocation: u32,
+) {
+    let point = points[min(id.x, params.points - 1u)];
+    let is = id.x < params.points && point.surface != NOTHING;
     let origin = point.position + params.offset * point.normal;
-    let stream = hash(hash(params.first_block * 64u + id.x) + params.seed) ^ 0x5bd1e995u;
+    let stream = hash(hash(params.first_block * 64u + id.x) + params.seed);
     var sum = vec3f(0.0);
-    for (var i = 0u; i < params.count; i++) {
-        var u = scrambled(params.first + i, stream);
+    for (var i = params.first; i < params.first + params.count; i++) {
+        // The i-th of the point's strata, and in it that of the sample of the pixel.
+        var u = stratified(i * params.samples + params.sample, params.weight, stream);
         let light = lights[choose(u.x)];
         u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
         // The square root makes the density uniform and keeps strata whole.
@@ -65,13 +51,13 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         let cosine = dot(to_light, point.normal);
         let facing = -dot(to_light, light.normal);
         let emitted = select(facing, abs(facing), light.two_sided != 0u);
-        if cosine <= 0.0 || emitted <= 0.0 { continue; }
         // The segment ends as far before the light as it starts before the point.
         let end = on_light + light.normal * (sign(facing) * params.offset);
-        let hit = traverse(origin, end - origin, 1.0, params.nodes, true);
-        if hit.triangle == NOTHING {
+        let limit = select(0.0, 1.0, is && cosine > 0.0 && emitted > 0.0);
+        let hit = traverse(origin, end - origin, limit, params.nodes, true, invocation);
+        if limit > 0.0 && hit.triangle == NOTHING {
             sum += light.radiance * (cosine * emitted * light.area / (square * square * light.probability));
         }
     }
-    irradiance[id.x] += vec4f(sum * params.weight, 0.0);
+    if is { irradiance[id.x] += vec4f(sum * params.share, 0.0); }
 }

@@ -2,8 +2,8 @@
 // bounds of their ends, as in Wald et al., "Ray Tracing Deformable Scenes using Dynamic
 // Bounding Volume Hierarchies", 2007. Cheapest where boxes are large against packets.
 
-const HUGE = 1e30;
-const WIDEN = 1.000001;
+// The slabs' distances and the bounds of the ends are rounded.
+const WIDEN_SHAFT = 1.000001;
 
 // Of segments from the origin to a box of ends: reciprocals of the box's sides.
 struct PacketBounds {
@@ -38,5 +38,5 @@ fn may_meet(s: PacketBounds, low: vec3f, high: vec3f, open: vec4<bool>) -> bool 
     let leave = min(high * s.leave_up + s.never_up, low * s.leave_down + s.never_down);
     let near = max(max(enter.x, enter.y), max(enter.z, 0.0));
     let far = min(min(leave.x, leave.y), min(leave.z, 1.0));
-    return near <= far * WIDEN;
+    return near <= far * WIDEN_SHAFT;
 }

@@ -38,6 +38,15 @@ fn scrambled(index: u32, seed: u32) -> vec2f {
     return vec2f(q >> vec2u(8u)) * (1.0 / 16777216.0);
 }
 
+// Point `index` of 1 / weight points in [0, 1)^2: a Hammersley set, jittered in x and
+// scrambled in y. Neighbours with other seeds have the same stratum in x at the same index,
+// so that their rays go the same way.
+fn stratified(index: u32, weight: f32, seed: u32) -> vec2f {
+    let jitter = f32(hash(index ^ hash(seed ^ 0x9e3779b9u)) >> 8u) * (1.0 / 16777216.0);
+    let y = owen(reverseBits(index), hash(seed ^ 0x3c6ef372u));
+    return vec2f((f32(index) + jitter) * weight, f32(y >> 8u) * (1.0 / 16777216.0));
+}
+
 // The pixel of a point: blocks of 8 x 8 in rows, Morton order inside, so that neighbouring
 // points are neighbouring pixels.
 fn pixel_of(point: u32, first_block: u32, width: u32) -> vec2u {

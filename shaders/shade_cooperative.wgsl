@@ -1,36 +1,6 @@
-// Irradiance at every point from the VPLs that its row sees.
-//
-// A lane holds 4 points. Eight lanes load eight VPLs together, one each, and broadcast them,
+// Shading together. A lane holds 4 points. Eight lanes load eight VPLs together, one each, and broadcast them,
 // so that a VPL is loaded once for 32 pairs. No lane returns early: a subgroup shares its
 // loads. The adapter may have subgroups of any width from 8.
-
-struct ShadeParams {
-    points: u32,
-    rows: u32,
-    matrix_word: u32,
-    words: u32,
-    bound: f32,
-    pad0: u32,
-    pad1: u32,
-    pad2: u32,
-}
-
-@group(0) @binding(0) var<uniform> params: ShadeParams;
-@group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
-@group(0) @binding(6) var<storage, read> bits: array<u32>;
-// In w, the mean of the channels that the bound removed.
-@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
-
-// What one VPL gives to one point, if the lowest bit is set.
-fn pair(x: Point, position: vec3f, normal: vec3f, light: vec4f, seen: u32) -> vec4f {
-    let d = position - x.position;
-    let square = dot(d, d);
-    let cosines = max(dot(d, x.normal), 0.0) * max(-dot(d, normal), 0.0);
-    // Never 0 / 0: a VPL at the point itself has cosines 0 and gives nothing.
-    let g = select(0.0, cosines / max(square * square, 1e-37), seen != 0u);
-    return light * vec4f(vec3f(kept(g, params.bound)), removed(g, params.bound));
-}
 
 @compute @workgroup_size(64)
 fn main(
@@ -68,59 +38,59 @@ fn main(
             let p0 = subgroupBroadcast(vpl.position, 0u);
             let n0 = subgroupBroadcast(vpl.normal, 0u);
             let l0 = subgroupBroadcast(light, 0u);
-            sum0 += pair(x0, p0, n0, l0, b0 & 1u);
-            sum1 += pair(x1, p0, n0, l0, b1 & 1u);
-            sum2 += pair(x2, p0, n0, l0, b2 & 1u);
-            sum3 += pair(x3, p0, n0, l0, b3 & 1u);
+            sum0 += pair(x0, p0, n0, l0, (b0 & 1u) != 0u);
+            sum1 += pair(x1, p0, n0, l0, (b1 & 1u) != 0u);
+            sum2 += pair(x2, p0, n0, l0, (b2 & 1u) != 0u);
+            sum3 += pair(x3, p0, n0, l0, (b3 & 1u) != 0u);
             let p1 = subgroupBroadcast(vpl.position, 1u);
             let n1 = subgroupBroadcast(vpl.normal, 1u);
             let l1 = subgroupBroadcast(light, 1u);
-            sum0 += pair(x0, p1, n1, l1, b0 & 2u);
-            sum1 += pair(x1, p1, n1, l1, b1 & 2u);
-            sum2 += pair(x2, p1, n1, l1, b2 & 2u);
-            sum3 += pair(x3, p1, n1, l1, b3 & 2u);
+            sum0 += pair(x0, p1, n1, l1, (b0 & 2u) != 0u);
+            sum1 += pair(x1, p1, n1, l1, (b1 & 2u) != 0u);
+            sum2 += pair(x2, p1, n1, l1, (b2 & 2u) != 0u);
+            sum3 += pair(x3, p1, n1, l1, (b3 & 2u) != 0u);
             let p2 = subgroupBroadcast(vpl.position, 2u);
             let n2 = subgroupBroadcast(vpl.normal, 2u);
             let l2 = subgroupBroadcast(light, 2u);
-            sum0 += pair(x0, p2, n2, l2, b0 & 4u);
-            sum1 += pair(x1, p2, n2, l2, b1 & 4u);
-            sum2 += pair(x2, p2, n2, l2, b2 & 4u);
-            sum3 += pair(x3, p2, n2, l2, b3 & 4u);
+            sum0 += pair(x0, p2, n2, l2, (b0 & 4u) != 0u);
+            sum1 += pair(x1, p2, n2, l2, (b1 & 4u) != 0u);
+            sum2 += pair(x2, p2, n2, l2, (b2 & 4u) != 0u);
+            sum3 += pair(x3, p2, n2, l2, (b3 & 4u) != 0u);
             let p3 = subgroupBroadcast(vpl.position, 3u);
             let n3 = subgroupBroadcast(vpl.normal, 3u);
             let l3 = subgroupBroadcast(light, 3u);
-            sum0 += pair(x0, p3, n3, l3, b0 & 8u);
-            sum1 += pair(x1, p3, n3, l3, b1 & 8u);
-            sum2 += pair(x2, p3, n3, l3, b2 & 8u);
-            sum3 += pair(x3, p3, n3, l3, b3 & 8u);
+            sum0 += pair(x0, p3, n3, l3, (b0 & 8u) != 0u);
+            sum1 += pair(x1, p3, n3, l3, (b1 & 8u) != 0u);
+            sum2 += pair(x2, p3, n3, l3, (b2 & 8u) != 0u);
+            sum3 += pair(x3, p3, n3, l3, (b3 & 8u) != 0u);
             let p4 = subgroupBroadcast(vpl.position, 4u);
             let n4 = subgroupBroadcast(vpl.normal, 4u);
             let l4 = subgroupBroadcast(light, 4u);
-            sum0 += pair(x0, p4, n4, l4, b0 & 16u);
-            sum1 += pair(x1, p4, n4, l4, b1 & 16u);
-            sum2 += pair(x2, p4, n4, l4, b2 & 16u);
-            sum3 += pair(x3, p4, n4, l4, b3 & 16u);
+            sum0 += pair(x0, p4, n4, l4, (b0 & 16u) != 0u);
+            sum1 += pair(x1, p4, n4, l4, (b1 & 16u) != 0u);
+            sum2 += pair(x2, p4, n4, l4, (b2 & 16u) != 0u);
+            sum3 += pair(x3, p4, n4, l4, (b3 & 16u) != 0u);
             let p5 = subgroupBroadcast(vpl.position, 5u);
             let n5 = subgroupBroadcast(vpl.normal, 5u);
             let l5 = subgroupBroadcast(light, 5u);
-            sum0 += pair(x0, p5, n5, l5, b0 & 32u);
-            sum1 += pair(x1, p5, n5, l5, b1 & 32u);
-            sum2 += pair(x2, p5, n5, l5, b2 & 32u);
-            sum3 += pair(x3, p5, n5, l5, b3 & 32u);
+            sum0 += pair(x0, p5, n5, l5, (b0 & 32u) != 0u);
+            sum1 += pair(x1, p5, n5, l5, (b1 & 32u) != 0u);
+            sum2 += pair(x2, p5, n5, l5, (b2 & 32u) != 0u);
+            sum3 += pair(x3, p5, n5, l5, (b3 & 32u) != 0u);
             let p6 = subgroupBroadcast(vpl.position, 6u);
             let n6 = subgroupBroadcast(vpl.normal, 6u);
             let l6 = subgroupBroadcast(light, 6u);
-            sum0 += pair(x0, p6, n6, l6, b0 & 64u);
-            sum1 += pair(x1, p6, n6, l6, b1 & 64u);
-            sum2 += pair(x2, p6, n6, l6, b2 & 64u);
-            sum3 += pair(x3, p6, n6, l6, b3 & 64u);
+            sum0 += pair(x0, p6, n6, l6, (b0 & 64u) != 0u);
+            sum1 += pair(x1, p6, n6, l6, (b1 & 64u) != 0u);
+            sum2 += pair(x2, p6, n6, l6, (b2 & 64u) != 0u);
+            sum3 += pair(x3, p6, n6, l6, (b3 & 64u) != 0u);
             let p7 = subgroupBroadcast(vpl.position, 7u);
             let n7 = subgroupBroadcast(vpl.normal, 7u);
             let l7 = subgroupBroadcast(light, 7u);
-            sum0 += pair(x0, p7, n7, l7, b0 & 128u);
-            sum1 += pair(x1, p7, n7, l7, b1 & 128u);
-            sum2 += pair(x2, p7, n7, l7, b2 & 128u);
-            sum3 += pair(x3, p7, n7, l7, b3 & 128u);
+            sum0 += pair(x0, p7, n7, l7, (b0 & 128u) != 0u);
+            sum1 += pair(x1, p7, n7, l7, (b1 & 128u) != 0u);
+            sum2 += pair(x2, p7, n7, l7, (b2 & 128u) != 0u);
+            sum3 += pair(x3, p7, n7, l7, (b3 & 128u) != 0u);
             b0 >>= 8u;
             b1 >>= 8u;
             b2 >>= 8u;

@@ -1,33 +1,13 @@
-// Which rows (points) see which VPLs: a bit each, 32 VPLs a word.
-//
-// A packet is what a subgroup holds: 4 neighbouring points a lane, all seen from one VPL. The
-// packet goes through the hierarchy as one. A box is tested against the bounds of all its
-// segments, by interval arithmetic as in Wald et al., "Ray Tracing Deformable Scenes using
-// Dynamic Bounding Volume Hierarchies", 2007, and a leaf's triangles against each segment.
+// Shadow rays in packets. A packet is what a subgroup holds: 4 neighbouring points a lane,
+// all seen from one VPL. It goes through the hierarchy as one: boxes are tested by
+// `may_meet` of the packet_*.wgsl that is linked, a leaf's triangles against each segment.
 // The common origin makes most of the triangle test the same for all. Nodes and triangles
 // are loaded by eight lanes together, a word each.
 //
 // No lane returns early: a subgroup shares its loads.
 
-struct VisibilityParams {
-    rows: u32,
-    vpls: u32,
-    first_word: u32,
-    matrix_word: u32,
-    offset: f32,
-    nodes: u32,
-    pad0: u32,
-    pad1: u32,
-}
-
-@group(0) @binding(0) var<uniform> params: VisibilityParams;
 @group(0) @binding(1) var<storage, read> nodes: array<f32>;
 @group(0) @binding(2) var<storage, read> triangles: array<f32>;
-@group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
-@group(0) @binding(6) var<storage, read_write> bits: array<u32>;
-// Rays traced, in two words.
-@group(0) @binding(10) var<storage, read_write> counter: array<atomic<u32>, 2>;
 
 // The plane of a triangle and its edges, relative to the origin of a packet.
 struct Blocker {
@@ -49,8 +29,8 @@ fn blocker(a: vec3f, b: vec3f, c: vec3f) -> Blocker {
     );
 }
 
-// Whether the segment from the origin along d (0 < t < 1) meets the triangle: the test of
-// traverse.wgsl without its division.
+// Whether the segment from the origin along d (0 < t < 1) meets the triangle: `intersect` of
+// ray.wgsl without its division.
 fn blocks(k: Blocker, d: vec3f) -> bool {
     let u = dot(k.bc, d);
     let v = dot(k.ca, d);
@@ -100,7 +80,7 @@ fn main(
     var seen3 = 0u;
     var rays = 0u;
     let count = min(32u, params.vpls - 32u * word);
-    for (var i = 0u; i < count; i++) {
+    for (var i = params.first; i < min(count, params.first + params.count); i++) {
         let vpl = vpls[32u * word + i];
         let origin = vpl.position + params.offset * vpl.normal;
         let d0 = e0 - origin;
@@ -179,10 +159,9 @@ fn main(
 
     let row = 4u * id.x;
     let at = (word - params.matrix_word) * params.rows + row;
-    if row < params.rows { bits[at] = seen0; }
-    if row + 1u < params.rows { bits[at + 1u] = seen1; }
-    if row + 2u < params.rows { bits[at + 2u] = seen2; }
-    if row + 3u < params.rows { bits[at + 3u] = seen3; }
-    let before = atomicAdd(&counter[0], rays);
-    if before + rays < before { atomicAdd(&counter[1], 1u); }
+    if row < params.rows { bits[at] = earlier(at) | seen0; }
+    if row + 1u < params.rows { bits[at + 1u] = earlier(at + 1u) | seen1; }
+    if row + 2u < params.rows { bits[at + 2u] = earlier(at + 2u) | seen2; }
+    if row + 3u < params.rows { bits[at + 3u] = earlier(at + 3u) | seen3; }
+    count_rays(rays);
 }

@@ -7,6 +7,7 @@ mod kernel;
 mod layout;
 mod pass;
 mod shader;
+mod timer;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
@@ -21,6 +22,7 @@ pub use layout::{
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};
+pub use timer::PassTime;
 
 /// How long one submission may take before the device counts as hung. Dispatches are sized
 /// for well under a second; the rest is for shader compilation and busy machines.
@@ -34,6 +36,8 @@ pub struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,
     subgroups: bool,
+    /// Where the adapter has timestamps.
+    timer: Option<timer::Timer>,
     lost: Arc<AtomicBool>,
     /// Errors that no scope caught (wgpu's default is to panic).
     uncaptured: Arc<Mutex<Option<wgpu::Error>>>,
@@ -70,7 +74,9 @@ impl Gpu {
         }));
         let subgroups = device.features().contains(wgpu::Features::SUBGROUP)
             && device.adapter_info().subgroup_min_size >= 8;
-        Ok(Self { info, device, queue, subgroups, lost, uncaptured })
+        let stamps = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let timer = stamps.then(|| timer::Timer::new(&device));
+        Ok(Self { info, device, queue, subgroups, timer, lost, uncaptured })
     }
 
     /// The limits of the device, which are those of the adapter.

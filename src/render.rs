@@ -1,15 +1,17 @@
 //! The pipeline: what is prepared once, and the passes of a frame in their order.
 
+mod film;
 pub mod kernels;
 mod light;
 mod settings;
+mod stages;
 mod tile;
 mod vpl;
 
 use std::time::{Duration, Instant};
 
 use crate::bvh::Bvh;
-use crate::gpu::{Gpu, GpuError, MaterialRecord};
+use crate::gpu::{Gpu, GpuError, MaterialRecord, PassTime};
 use crate::image::Image;
 use crate::scene::{Camera, Scene};
 
@@ -18,7 +20,8 @@ pub use light::Lights;
 pub use settings::{Bounces, Clamp, Direct, Method, Settings};
 pub use vpl::{LightPaths, Vpl};
 
-use tile::{Indirect, TileRenderer};
+use stages::Indirect;
+use tile::TileRenderer;
 
 /// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels
 /// and the buffers of the scene.
@@ -155,8 +158,10 @@ pub struct Frame {
     pub image: Image,
     /// What was counted.
     pub counts: Counts,
-    /// How long each phase took.
+    /// How long each phase took, by the wall clock.
     pub phases: Phases,
+    /// How long each kernel ran, by the device's clock; empty where it has none.
+    pub passes: Vec<PassTime>,
 }
 
 /// Told about the progress of a frame: the fraction done, in [0, 1], and the phase.
@@ -189,7 +194,8 @@ pub fn frame(
 
     let renderer = TileRenderer::new(prepared, camera, settings, seed, indirect)?;
     let image = renderer.render(&mut phases, &mut counts, progress)?;
-    Ok(Frame { image, counts, phases })
+    let passes = prepared.gpu.take_pass_times()?;
+    Ok(Frame { image, counts, phases, passes })
 }
 
 /// The VPLs that the settings ask for.

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use crate::gpu::AdapterInfo;
+use crate::gpu::{AdapterInfo, PassTime};
 use crate::image::Image;
 use crate::render::{self, Bounces, Frame, Method, Prepared, Settings};
 
@@ -41,6 +41,8 @@ pub struct Report {
     pub seconds: Seconds,
     pub phases: RunPhases,
     pub frames: Vec<FrameTimes>,
+    /// By the device's own clock, for the first frame; empty where it has none.
+    pub passes: Vec<KernelTime>,
     pub threads: usize,
     /// The most memory the process ever held; null where the system does not say.
     pub peak_memory_bytes: Option<u64>,
@@ -104,6 +106,22 @@ pub struct FramePhases {
     pub visibility: f64,
     pub shading: f64,
     pub readback: f64,
+}
+
+/// How long a kernel ran on the device, over all its dispatches.
+#[derive(Debug, Clone, Copy, Serialize)]
+#[expect(missing_docs, reason = "as in `gpu::PassTime`")]
+pub struct KernelTime {
+    pub kernel: &'static str,
+    pub dispatches: u32,
+    pub seconds: f64,
+}
+
+impl From<&PassTime> for KernelTime {
+    fn from(pass: &PassTime) -> Self {
+        let PassTime { label: kernel, dispatches, time } = *pass;
+        Self { kernel, dispatches, seconds: time.as_secs_f64() }
+    }
 }
 
 /// How long one of the repeated frames took.
@@ -203,6 +221,7 @@ impl Report {
             seconds: Seconds::default(),
             phases: RunPhases::default(),
             frames: Vec::new(),
+            passes: first.passes.iter().map(KernelTime::from).collect(),
             threads: rayon::current_num_threads(),
             peak_memory_bytes: peak_memory_bytes(),
             clamp: counts.clamp,

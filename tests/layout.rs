@@ -85,10 +85,11 @@ fn records() -> Vec<Record> {
             blocks, nodes,
         }),
         record!(DirectParams as "DirectParams" {
-            points, lights, first, count, seed, first_block, offset, nodes, weight, pad,
+            points, lights, first, count, seed, first_block, offset, nodes, sample, samples, weight,
+            share,
         }),
         record!(VisibilityParams as "VisibilityParams" {
-            rows, vpls, first_word, matrix_word, offset, nodes, pad,
+            rows, vpls, first_word, matrix_word, offset, nodes, first, count,
         }),
         record!(ShadeParams as "ShadeParams" { points, rows, matrix_word, words, bound, pad }),
     ]

@@ -7,7 +7,7 @@
 mod common;
 
 use common::Rng;
-use common::tracing::{Answer, cube, on_device, on_host, random_rays, soup, triangle};
+use common::tracing::{Answer, cube, on_all, on_host, random_rays, soup, triangle};
 use glam::{DVec3, Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::gpu::PointRecord;
@@ -115,19 +115,18 @@ fn check(name: &str, triangles: &[Triangle], rays: &[Ray], most_unsure: usize) {
     let bvh = Bvh::build(triangles);
     for any in [false, true] {
         let host = on_host(&bvh, rays, any);
-        let device = on_device(&bvh, rays, any);
-        let mut unsure = 0;
-        for (side, answers) in [("host", &host), ("device", &device)] {
-            for (ray, answer) in rays.iter().zip(answers) {
+        assert!(host.iter().any(Answer::hits), "{name}: nothing is hit");
+        for (side, answers) in on_all(&bvh, rays, any) {
+            let mut unsure = 0;
+            for (ray, answer) in rays.iter().zip(&answers) {
                 if let Some(fault) = judge(triangles, ray, any, answer, &mut unsure) {
                     panic!("{name}, {side}, any = {any}: {ray:?} {fault}");
                 }
             }
+            let differ = host.iter().zip(&answers).filter(|(h, d)| h.hits() != d.hits()).count();
+            assert!(unsure <= most_unsure, "{name}: {unsure} answers rest on unsure triangles");
+            assert!(differ <= most_unsure / 2, "{name}: host and {side} differ on {differ} rays");
         }
-        let differ = host.iter().zip(&device).filter(|(h, d)| h.hits() != d.hits()).count();
-        assert!(host.iter().any(Answer::hits), "{name}: nothing is hit");
-        assert!(unsure <= most_unsure, "{name}: {unsure} answers rest on unsure triangles");
-        assert!(differ <= most_unsure / 2, "{name}: host and device differ on {differ} rays");
     }
 }
 
@@ -177,7 +176,7 @@ fn random_triangles() {
         let triangles = soup(&mut rng, count, size);
         let rays = random_rays(&mut rng, 1500);
         // Edges are within rounding of a random ray once in some 10⁴ times.
-        check("random", &triangles, &rays, 20);
+        check("random", &triangles, &rays, 10);
     }
 }
 
@@ -205,10 +204,10 @@ fn slivers_duplicates_and_boxes() {
         ("boxes", cube(5, Mat3::IDENTITY)),
     ];
     for (name, triangles) in scenes {
-        check(name, &triangles, &random_rays(&mut rng, 1500), 60);
+        check(name, &triangles, &random_rays(&mut rng, 1500), 30);
         let rays = nasty_rays(&mut rng, &triangles);
         // Most of these rays are meant to be within rounding of something.
-        check(name, &triangles, &rays, 2 * rays.len());
+        check(name, &triangles, &rays, rays.len());
     }
 }
 

@@ -3,7 +3,7 @@
 mod common;
 
 use common::Rng;
-use common::tracing::{cube, on_device, on_host, random_rays, soup, triangle};
+use common::tracing::{cube, on_all, random_rays, soup, triangle};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 
@@ -16,7 +16,7 @@ fn ties_go_to_the_lowest_index() {
     triangles.extend_from_within(..60);
     let bvh = Bvh::build(&triangles);
     let rays = random_rays(&mut rng, 5000);
-    for answers in [on_host(&bvh, &rays, false), on_device(&bvh, &rays, false)] {
+    for (_, answers) in on_all(&bvh, &rays, false) {
         let hits = || answers.iter().filter(|answer| answer.hits());
         assert!(hits().count() > 1000, "few rays hit");
         assert!(hits().all(|hit| hit.triangle < 60), "a higher index won");
@@ -54,9 +54,7 @@ fn closed_surfaces_do_not_leak() {
             Ray { origin, direction: target - origin, limit: f32::MAX }
         };
         let rays: Vec<Ray> = (0..100_000).map(ray).collect();
-        for (side, answers) in
-            [("host", on_host(&bvh, &rays, false)), ("device", on_device(&bvh, &rays, false))]
-        {
+        for (side, answers) in on_all(&bvh, &rays, false) {
             let aimed_at_a_vertex = |i: usize| i % 3 == 2;
             let leaks: Vec<usize> = (0..rays.len()).filter(|&i| !answers[i].hits()).collect();
             let crack = leaks.iter().find(|&&i| !aimed_at_a_vertex(i));
@@ -90,9 +88,7 @@ fn a_ray_in_the_face_of_a_box_meets_what_touches_the_face() {
         }
     }
     let bvh = Bvh::build(&triangles);
-    for (side, answers) in
-        [("host", on_host(&bvh, &rays, false)), ("device", on_device(&bvh, &rays, false))]
-    {
+    for (side, answers) in on_all(&bvh, &rays, false) {
         for (i, (ray, answer)) in rays.iter().zip(&answers).enumerate() {
             assert_eq!(answer.triangle, i as u32 / 2, "{side}: {ray:?}");
         }

@@ -165,9 +165,9 @@ pub struct DirectParams {
     pub points: u32,
     /// Lights in the buffer.
     pub lights: u32,
-    /// The first point light, or the first sample of the pixel's sequence, of this dispatch.
+    /// The first point light, or light sample, of this dispatch.
     pub first: u32,
-    /// Point lights, or samples, of this dispatch.
+    /// Point lights, or light samples, of this dispatch.
     pub count: u32,
     /// Seed of the frame.
     pub seed: u32,
@@ -177,10 +177,14 @@ pub struct DirectParams {
     pub offset: f32,
     /// Number of BVH nodes.
     pub nodes: u32,
-    /// One over all samples.
+    /// Which sample of each pixel.
+    pub sample: u32,
+    /// Samples a pixel.
+    pub samples: u32,
+    /// One over the light samples of all samples of a pixel.
     pub weight: f32,
-    /// Unused.
-    pub pad: [u32; 3],
+    /// One over the light samples of a point.
+    pub share: f32,
 }
 
 /// Parameters of the visibility pass.
@@ -199,8 +203,10 @@ pub struct VisibilityParams {
     pub offset: f32,
     /// Number of BVH nodes.
     pub nodes: u32,
-    /// Unused.
-    pub pad: [u32; 2],
+    /// The first VPL of each word in this dispatch.
+    pub first: u32,
+    /// VPLs of each word in this dispatch.
+    pub count: u32,
 }
 
 /// Parameters of the shading pass.

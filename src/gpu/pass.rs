@@ -20,8 +20,8 @@ pub struct Pass<'a> {
 }
 
 impl Gpu {
-    /// Submits the passes in order, waits for them, and returns how long they took: by the
-    /// device's own timestamps where it has them, else by the wall clock.
+    /// Submits the passes in order, waits for them, and returns how long they took by the
+    /// wall clock. The device's own clock is read by [`Gpu::take_pass_times`].
     ///
     /// # Errors
     /// The device fails, runs out of memory, or does not finish in time.
@@ -33,7 +33,7 @@ impl Gpu {
             for pass in passes {
                 let mut compute = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
                     label: Some(pass.kernel.label),
-                    timestamp_writes: None,
+                    timestamp_writes: self.timer.as_ref().and_then(|t| t.writes(pass.kernel.label)),
                 });
                 compute.set_pipeline(&pass.kernel.pipeline);
                 compute.set_bind_group(0, &pass.bindings.0, &[]);
@@ -42,7 +42,9 @@ impl Gpu {
             self.queue.submit([encoder.finish()]);
         })?;
         self.wait(&doing)?;
-        Ok(start.elapsed())
+        let time = start.elapsed();
+        self.keep_time()?;
+        Ok(time)
     }
 
     /// Sets whole buffers to zero.

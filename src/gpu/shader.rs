@@ -39,14 +39,19 @@ pub mod module {
     modules! {
         TYPES = "types";
         SAMPLING = "sampling";
+        RAY = "ray";
         TRAVERSE = "traverse";
+        TRAVERSE_PACKET = "traverse_packet";
         VISIBLE = "visible_points";
+        DIRECT = "direct" for "direct light";
         DIRECT_POINT = "direct_point" for "point lights";
         DIRECT_AREA = "direct_area" for "area lights";
         VISIBILITY = "visibility" for "indirect light";
+        BITS = "bits" for "indirect light";
         PACKET_SHAFT = "packet_shaft";
         PACKET_RAYS = "packet_rays";
         VISIBILITY_PACKET = "visibility_packet" for "indirect light";
+        GATHER = "gather" for "indirect light";
         SHADE = "shade" for "indirect light";
         SHADE_COOPERATIVE = "shade_cooperative" for "indirect light";
         PAIR_BOUNDED = "pair_bounded" for "clamp";

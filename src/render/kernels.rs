@@ -4,28 +4,34 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
-    DIRECT_AREA, DIRECT_POINT, EMIT, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED,
-    REFLECT, REMOVED, SAMPLING, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
-    TRAVERSE, TYPES, VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    BITS, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, GATHER, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED,
+    PAIR_UNBOUNDED, RAY, REFLECT, REMOVED, SAMPLING, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO,
+    SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET,
+    VISIBLE,
 };
-use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Program};
+use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
+
+/// How rays are traced that neighbours trace alike.
+fn traverse(subgroups: bool) -> &'static Module {
+    if subgroups { &TRAVERSE_PACKET } else { &TRAVERSE }
+}
 
 /// Camera rays.
-pub fn visible_points() -> Program {
-    Program { label: "visible points", modules: vec![&TYPES, &SAMPLING, &TRAVERSE, &VISIBLE] }
+pub fn visible_points(subgroups: bool) -> Program {
+    let modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &VISIBLE];
+    Program { label: "visible points", modules }
 }
 
 /// Direct light from point lights.
-pub fn direct_point() -> Program {
-    Program { label: "direct light, points", modules: vec![&TYPES, &TRAVERSE, &DIRECT_POINT] }
+pub fn direct_point(subgroups: bool) -> Program {
+    let modules = vec![&TYPES, &RAY, traverse(subgroups), &DIRECT, &DIRECT_POINT];
+    Program { label: "direct light, points", modules }
 }
 
 /// Direct light from emitting triangles.
-pub fn direct_area() -> Program {
-    Program {
-        label: "direct light, areas",
-        modules: vec![&TYPES, &SAMPLING, &TRAVERSE, &DIRECT_AREA],
-    }
+pub fn direct_area(subgroups: bool) -> Program {
+    let modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &DIRECT, &DIRECT_AREA];
+    Program { label: "direct light, areas", modules }
 }
 
 /// How the shadow rays between points and VPLs are traced.
@@ -52,12 +58,23 @@ impl Tracing {
     }
 }
 
+/// How many rays one invocation may trace in a dispatch, a power of two up to the 32 of a
+/// word. Mesa's llvmpipe silently leaves all loops of an invocation after 65,535 rounds
+/// together; so many are enough for that many rays even if each meets all boxes of a small
+/// hierarchy, or many of a large one.
+pub fn rays_at_once(nodes: usize) -> u32 {
+    const ROUNDS: usize = 65_000;
+    // A round for a node, and for a leaf's triangles and the way on from there.
+    let rays = (ROUNDS / (2 * nodes.max(1))).clamp(4, 32);
+    1 << rays.ilog2()
+}
+
 /// Shadow rays between points and VPLs.
 pub fn visibility(tracing: Tracing) -> Program {
     let modules = match tracing {
-        Tracing::Single => vec![&TYPES, &TRAVERSE, &VISIBILITY],
-        Tracing::Shaft => vec![&TYPES, &PACKET_SHAFT, &VISIBILITY_PACKET],
-        Tracing::Rays => vec![&TYPES, &PACKET_RAYS, &VISIBILITY_PACKET],
+        Tracing::Single => vec![&TYPES, &RAY, &TRAVERSE, &BITS, &VISIBILITY],
+        Tracing::Shaft => vec![&TYPES, &RAY, &BITS, &PACKET_SHAFT, &VISIBILITY_PACKET],
+        Tracing::Rays => vec![&TYPES, &RAY, &BITS, &PACKET_RAYS, &VISIBILITY_PACKET],
     };
     Program { label: "visibility", modules }
 }
@@ -71,8 +88,8 @@ pub fn visibility_for(prepared: &Prepared) -> Program {
 pub fn shade(subgroups: bool, bounded: bool) -> Program {
     let pair = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
     let modules = match subgroups {
-        true => vec![&TYPES, pair, &SHADE_COOPERATIVE],
-        false => vec![&TYPES, pair, &SHADE],
+        true => vec![&TYPES, pair, &GATHER, &SHADE_COOPERATIVE],
+        false => vec![&TYPES, pair, &GATHER, &SHADE],
     };
     Program { label: "shading", modules }
 }
@@ -105,7 +122,8 @@ pub fn show(method: Method) -> Option<Program> {
 
 /// The programs that a scene and settings need: the one list of what is linked.
 fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
-    let mut programs = vec![visible_points()];
+    let subgroups = prepared.gpu.has_subgroups();
+    let mut programs = vec![visible_points(subgroups)];
     programs.extend(show(settings.method));
     if !settings.method.is_lit() {
         return programs;
@@ -114,12 +132,15 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         programs.push(emit());
     }
     if settings.direct == Direct::PerPixel {
-        programs.extend(prepared.point_lights.is_some().then(direct_point));
-        programs.extend(prepared.area_lights.is_some().then(direct_area));
+        if prepared.point_lights.is_some() {
+            programs.push(direct_point(subgroups));
+        }
+        if prepared.area_lights.is_some() {
+            programs.push(direct_area(subgroups));
+        }
         programs.push(reflect());
     }
     if settings.traces_light_paths() {
-        let subgroups = prepared.gpu.has_subgroups();
         let bounded = settings.clamp != Clamp::Off;
         programs.extend([visibility_for(prepared), shade(subgroups, bounded), reflect()]);
         programs.extend(bounded.then(removed));
@@ -170,10 +191,11 @@ impl Kernels {
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs =
-        vec![visible_points(), direct_point(), direct_area(), emit(), reflect(), removed()];
+    let mut programs = vec![emit(), reflect(), removed()];
     programs.extend([Tracing::Single, Tracing::Shaft, Tracing::Rays].map(visibility));
     for subgroups in [false, true] {
+        programs.push(visible_points(subgroups));
+        programs.extend([direct_point(subgroups), direct_area(subgroups)]);
         programs.extend([false, true].map(|bounded| shade(subgroups, bounded)));
     }
     programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));

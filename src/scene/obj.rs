@@ -15,11 +15,13 @@ use super::{Draft, DraftMaterial, Origin, Warning, polygon};
 use crate::error::SceneError;
 use scan::{Named, Scan};
 
+/// Corners, and the index of the material's name where there is one.
+type Triangle = ([DVec3; 3], Option<usize>);
+
 /// A mesh whose materials are but names yet.
 #[derive(Debug)]
 pub struct Mesh {
-    /// Corners, and the index of the material's name in `names` where there is one.
-    pub triangles: Vec<([DVec3; 3], Option<usize>)>,
+    triangles: Vec<Triangle>,
     /// Materials that `usemtl` asks for.
     names: Vec<Named>,
     /// Materials of all libraries.
@@ -85,7 +87,7 @@ fn read_polygons(
     text: &str,
     names: usize,
     warnings: &mut Vec<Warning>,
-) -> Result<Vec<([DVec3; 3], Option<usize>)>, SceneError> {
+) -> Result<Vec<Triangle>, SceneError> {
     let library = || {
         let material = |i: usize| tobj::Material { name: i.to_string(), ..Default::default() };
         let materials = (0..names).map(material).collect();

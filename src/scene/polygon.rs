@@ -11,24 +11,37 @@ pub struct Triangulation {
     pub exact: bool,
 }
 
-/// Beyond so many corners a concave polygon is not worth its O(n³) worst case.
+/// Beyond so many corners a polygon is fanned unseen: cutting ears takes O(n³) at worst.
 const MAX_CONCAVE: usize = 1024;
 
 /// Fans a polygon about its first corner where that covers it, and else cuts off ears
 /// (Meisters 1975). Corners may be slightly out of plane; the average plane then decides.
 pub fn triangulate(corners: &[DVec3]) -> Triangulation {
-    if corners.len() <= 3 {
-        return Triangulation { triangles: fan(corners.len()), exact: true };
-    }
-    let flat = flatten(corners);
     let fan = fan(corners.len());
-    if fan.iter().all(|&[a, b, c]| turns_left(flat[a], flat[b], flat[c])) {
+    if corners.len() <= 3 {
         return Triangulation { triangles: fan, exact: true };
     }
+    let flat = flatten(corners);
+    let fan_covers = fan.iter().all(|&[a, b, c]| turns_left(flat[a], flat[b], flat[c]));
     if corners.len() > MAX_CONCAVE {
-        return Triangulation { triangles: fan, exact: false };
+        return Triangulation { triangles: fan, exact: fan_covers };
     }
-    cut_ears(&flat)
+    let simple = !crosses_itself(&flat);
+    if fan_covers {
+        return Triangulation { triangles: fan, exact: simple };
+    }
+    let cut = cut_ears(&flat);
+    Triangulation { exact: cut.exact && simple, ..cut }
+}
+
+/// Whether two sides cross between their ends.
+fn crosses_itself(flat: &[DVec2]) -> bool {
+    let side = |i: usize| [flat[i], flat[(i + 1) % flat.len()]];
+    let splits = |[a, b]: [DVec2; 2], [c, d]: [DVec2; 2]| {
+        (turns_left(a, b, c) && turns_left(a, d, b)) || (turns_left(a, b, d) && turns_left(a, c, b))
+    };
+    let cross = |i: usize, j: usize| splits(side(i), side(j)) && splits(side(j), side(i));
+    (0..flat.len()).any(|i| (0..i).any(|j| cross(i, j)))
 }
 
 fn fan(corners: usize) -> Vec<[usize; 3]> {

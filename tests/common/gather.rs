@@ -3,7 +3,7 @@
 use glam::Vec3;
 use gpu_vpl::bvh::Bvh;
 use gpu_vpl::gpu::{Gpu, Pass, PointRecord, ShadeParams, VisibilityParams, VplRecord};
-use gpu_vpl::render::kernels::{Tracing, shade, visibility};
+use gpu_vpl::render::kernels::{Tracing, rays_at_once, shade, visibility};
 use gpu_vpl::sampling::SURFACE_OFFSET;
 
 pub fn point(position: Vec3, normal: Vec3) -> PointRecord {
@@ -98,19 +98,23 @@ pub fn visible(
     ];
     let bindings = gpu.bind(&kernel, &buffers).unwrap();
     let mut first_word = 0;
+    let at_once = rays_at_once(bvh.nodes.len());
     for &slice in slices {
-        let record = VisibilityParams {
-            rows: points.len() as u32,
-            vpls: vpls.len() as u32,
-            first_word,
-            matrix_word: 0,
-            offset: SURFACE_OFFSET,
-            nodes: bvh.nodes.len() as u32,
-            pad: [0; 2],
-        };
-        gpu.write(&params, &[record]).unwrap();
-        let workgroups = [workgroups(points.len(), tracing != Tracing::Single), slice];
-        gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
+        for first in (0..32).step_by(at_once as usize) {
+            let record = VisibilityParams {
+                rows: points.len() as u32,
+                vpls: vpls.len() as u32,
+                first_word,
+                matrix_word: 0,
+                offset: SURFACE_OFFSET,
+                nodes: bvh.nodes.len() as u32,
+                first,
+                count: at_once,
+            };
+            gpu.write(&params, &[record]).unwrap();
+            let workgroups = [workgroups(points.len(), tracing != Tracing::Single), slice];
+            gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
+        }
         first_word += slice;
     }
     let count: Vec<u32> = gpu.read(&counter, 2).unwrap();

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
-use gpu_vpl::gpu::module::{TRAVERSE, TYPES};
+use gpu_vpl::gpu::module::{RAY, TRAVERSE, TRAVERSE_PACKET, TYPES};
 use gpu_vpl::gpu::{Module, Pass, PointRecord, Program};
 use gpu_vpl::scene::Triangle;
 
@@ -18,7 +18,16 @@ struct TestRay {
     origin: [f32; 3],
     limit: f32,
     direction: [f32; 3],
+    pad: u32,
+}
+
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct TestParams {
+    rays: u32,
+    nodes: u32,
     any: u32,
+    pad: u32,
 }
 
 /// What either side answers: `triangle` is `NOTHING` without a hit.
@@ -38,26 +47,46 @@ impl Answer {
     }
 }
 
-pub fn on_device(bvh: &Bvh, rays: &[Ray], any: bool) -> Vec<Answer> {
+/// The ways to trace on this device: ray by ray, and in packets where it has subgroups.
+pub fn on_device(bvh: &Bvh, rays: &[Ray], any: bool) -> Vec<(&'static str, Vec<Answer>)> {
+    let mut sides = vec![("device", with(&TRAVERSE, bvh, rays, any))];
+    if super::gpu().has_subgroups() {
+        sides.push(("device, packets", with(&TRAVERSE_PACKET, bvh, rays, any)));
+    }
+    sides
+}
+
+fn with(traverse: &'static Module, bvh: &Bvh, rays: &[Ray], any: bool) -> Vec<Answer> {
     let gpu = super::gpu();
-    let program = Program { label: "test rays", modules: vec![&TYPES, &TRAVERSE, &TRACE] };
+    let program = Program { label: "test rays", modules: vec![&TYPES, &RAY, traverse, &TRACE] };
     let kernel = gpu.compile(&program).unwrap();
     let of = |ray: &Ray| {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
-        TestRay { origin, limit: ray.limit, direction, any: u32::from(any) }
+        TestRay { origin, limit: ray.limit, direction, pad: 0 }
     };
     let rays: Vec<TestRay> = rays.iter().map(of).collect();
+    let (count, nodes) = (rays.len() as u32, bvh.nodes.len() as u32);
+    let params = gpu.uniform::<TestParams>("params").unwrap();
+    gpu.write(&params, &[TestParams { rays: count, nodes, any: u32::from(any), pad: 0 }]).unwrap();
     let hits = gpu.storage::<Answer>("hits", rays.len()).unwrap();
     let buffers = [
+        ("params", &params),
         ("nodes", &gpu.storage_of("nodes", &bvh.nodes).unwrap()),
         ("triangles", &gpu.storage_of("triangles", &bvh.triangles).unwrap()),
         ("rays", &gpu.storage_of("rays", &rays).unwrap()),
         ("hits", &hits),
     ];
     let bindings = gpu.bind(&kernel, &buffers).unwrap();
-    let workgroups = [rays.len().div_ceil(64) as u32, 1];
-    gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
+    gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups: [count.div_ceil(64), 1] }])
+        .unwrap();
     gpu.read(&hits, rays.len()).unwrap()
+}
+
+/// The host and [`on_device`].
+pub fn on_all(bvh: &Bvh, rays: &[Ray], any: bool) -> Vec<(&'static str, Vec<Answer>)> {
+    let mut sides = vec![("host", on_host(bvh, rays, any))];
+    sides.extend(on_device(bvh, rays, any));
+    sides
 }
 
 pub fn on_host(bvh: &Bvh, rays: &[Ray], any: bool) -> Vec<Answer> {

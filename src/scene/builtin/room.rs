@@ -71,7 +71,7 @@ fn materials(shapes: &mut Shapes) -> Result<Materials, SceneError> {
             shapes.diffuse("book blue", [0.11, 0.17, 0.45])?,
             shapes.diffuse("book ivory", [0.76, 0.70, 0.55])?,
         ],
-        lamp: shapes.light("cornice lamp", [0.0; 3], [44.0, 37.0, 27.0])?,
+        lamp: shapes.light("cornice lamp", [0.0; 3], [17.0, 14.3, 10.4])?,
         panel: shapes.light("panel lamp", [0.0; 3], [7.0, 8.5, 10.5])?,
     })
 }
@@ -105,7 +105,7 @@ fn shell(shapes: &mut Shapes, m: &Materials) {
 
 /// Ledges along the walls that hide upward lamps, and three panels that shine down.
 fn cornices(shapes: &mut Shapes, m: &Materials) {
-    let (height, depth) = (4.3, 0.5);
+    let (height, depth) = (4.3, 0.8);
     for side in [-1.0, 1.0] {
         let [low, high] = match side < 0.0 {
             true => [-HALF_WIDTH, -HALF_WIDTH + depth],
@@ -113,8 +113,8 @@ fn cornices(shapes: &mut Shapes, m: &Materials) {
         };
         shapes.block(m.plaster, dvec3(low, height, 0.0), dvec3(high, height + 0.12, LENGTH));
         for z in BAYS {
-            let lamp = dvec3(low + 0.15, height + 0.17, z - 0.9);
-            let (u, v) = (1.8 * DVec3::Z, 0.2 * DVec3::X);
+            let lamp = dvec3(0.5 * (low + high) - 0.17, height + 0.17, z - 1.4);
+            let (u, v) = (2.8 * DVec3::Z, 0.34 * DVec3::X);
             shapes.quad(m.lamp, [lamp, lamp + u, lamp + u + v, lamp + v]);
         }
     }

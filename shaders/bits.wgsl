@@ -1,0 +1,30 @@
+// The pass that finds which rows (points) see which VPLs: a bit each, 32 VPLs a word, word by
+// word.
+
+struct VisibilityParams {
+    rows: u32,
+    vpls: u32,
+    first_word: u32,
+    matrix_word: u32,
+    offset: f32,
+    nodes: u32,
+    first: u32,
+    count: u32,
+}
+
+@group(0) @binding(0) var<uniform> params: VisibilityParams;
+@group(0) @binding(4) var<storage, read> points: array<Point>;
+@group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
+@group(0) @binding(6) var<storage, read_write> bits: array<u32>;
+// Rays traced, in two words.
+@group(0) @binding(10) var<storage, read_write> counter: array<atomic<u32>, 2>;
+
+fn count_rays(rays: u32) {
+    let before = atomicAdd(&counter[0], rays);
+    if before + rays < before { atomicAdd(&counter[1], 1u); }
+}
+
+// What dispatches with earlier VPLs of the same word have found.
+fn earlier(at: u32) -> u32 {
+    return select(bits[at], 0u, params.first == 0u);
+}

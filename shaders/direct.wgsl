@@ -1,0 +1,20 @@
+// What the passes of direct light share.
+
+struct DirectParams {
+    points: u32,
+    lights: u32,
+    first: u32,
+    count: u32,
+    seed: u32,
+    first_block: u32,
+    offset: f32,
+    nodes: u32,
+    sample: u32,
+    samples: u32,
+    weight: f32,
+    share: f32,
+}
+
+@group(0) @binding(0) var<uniform> params: DirectParams;
+@group(0) @binding(4) var<storage, read> points: array<Point>;
+@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;

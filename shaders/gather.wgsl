@@ -1,0 +1,29 @@
+// The pass that adds up, at every point, the irradiance from the VPLs that its row sees.
+
+struct ShadeParams {
+    points: u32,
+    rows: u32,
+    matrix_word: u32,
+    words: u32,
+    bound: f32,
+    pad0: u32,
+    pad1: u32,
+    pad2: u32,
+}
+
+@group(0) @binding(0) var<uniform> params: ShadeParams;
+@group(0) @binding(4) var<storage, read> points: array<Point>;
+@group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
+@group(0) @binding(6) var<storage, read> bits: array<u32>;
+// In w, the mean of the channels that the bound removed.
+@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
+
+// What a VPL of this light (intensity, and its mean) gives to a point if it is seen.
+fn pair(x: Point, position: vec3f, normal: vec3f, light: vec4f, seen: bool) -> vec4f {
+    let d = position - x.position;
+    let square = dot(d, d);
+    let cosines = max(dot(d, x.normal), 0.0) * max(-dot(d, normal), 0.0);
+    // Never 0 / 0: a VPL at the point itself has cosines 0 and gives nothing.
+    let g = select(0.0, cosines / max(square * square, 1e-37), seen);
+    return light * vec4f(vec3f(kept(g, params.bound)), removed(g, params.bound));
+}

@@ -1,0 +1,65 @@
+// Rays against boxes and triangles.
+
+struct Triangle {
+    a: vec3f,
+    material: u32,
+    b: vec3f,
+    index: u32,
+    c: vec3f,
+    pad: u32,
+}
+
+struct Hit {
+    t: f32,
+    // In leaf order; NOTHING if there is no hit.
+    triangle: u32,
+    // Barycentric weights of the corners.
+    weights: vec3f,
+}
+
+// Finite stand-in for the reciprocal of a direction's zero component, and for "never".
+const HUGE = 1e30;
+// 1 + 2 gamma(3): widens the far side of a slab by the rounding of its distances. Ize,
+// "Robust BVH Ray Traversal", JCGT 2013.
+const WIDEN = 1.0000004;
+
+fn finite_reciprocal(x: vec3f) -> vec3f {
+    let huge = select(vec3f(HUGE), vec3f(-HUGE), x < vec3f(0.0));
+    return select(huge, 1.0 / x, abs(x) > vec3f(1.0 / HUGE));
+}
+
+// Whether a ray meets a box at 0 <= t <= reach; the box is given relative to its origin.
+fn meets_box(reciprocal: vec3f, low: vec3f, high: vec3f, reach: f32) -> bool {
+    let t0 = low * reciprocal;
+    let t1 = high * reciprocal;
+    let first = min(t0, t1);
+    let last = max(t0, t1);
+    let near = max(max(first.x, first.y), max(first.z, 0.0));
+    let far = min(last.x, min(last.y, last.z)) * WIDEN;
+    return near <= min(far, reach);
+}
+
+// Where a ray meets the plane of a triangle, whose corners are given relative to its origin.
+struct Meeting {
+    t: f32,
+    inside: bool,
+    weights: vec3f,
+}
+
+// From the volumes that the ray spans with the edges: an edge gives exactly opposite volumes
+// to its two triangles, so that no ray slips between them. The Pluecker form of Woop, Benthin
+// and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013.
+fn intersect(a: vec3f, b: vec3f, c: vec3f, direction: vec3f) -> Meeting {
+    let volumes = vec3f(
+        dot(cross(c - b, c + b), direction),
+        dot(cross(a - c, a + c), direction),
+        dot(cross(b - a, b + a), direction),
+    );
+    let least = min(volumes.x, min(volumes.y, volumes.z));
+    let most = max(volumes.x, max(volumes.y, volumes.z));
+    let normal = cross(b - a, c - a);
+    let speed = dot(normal, direction);
+    let sum = volumes.x + volumes.y + volumes.z;
+    let inside = (least >= 0.0 || most <= 0.0) && speed != 0.0 && sum != 0.0;
+    return Meeting(dot(normal, a) / speed, inside, volumes / sum);
+}
