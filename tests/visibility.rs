@@ -113,6 +113,10 @@ fn all_kernels_and_the_host_see_the_same() {
             seen += lit;
             blocked += rays - lit;
             for tracing in kernels() {
+                // Packets take whole shafts only through small hierarchies.
+                if tracing == Tracing::Shaft && bvh.nodes.len() > 1000 {
+                    continue;
+                }
                 let words = vpls.len().div_ceil(32) as u32;
                 let got = visible(common::gpu(), tracing, &bvh, &points, &vpls, &[words]);
                 let what = format!("{name}, {tracing:?}, {} × {}", points.len(), vpls.len());
