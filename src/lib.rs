@@ -1,11 +1,50 @@
 //! Headless global illumination with virtual point lights (VPLs, instant radiosity) on any
-//! wgpu adapter.
+//! wgpu adapter, software Vulkan included.
+//!
+//! # The pipeline
 //!
 //! Data flows one way:
 //!
 //! ```text
 //! scene → bvh → visible points → VPLs → visibility → shading → image
 //! ```
+//!
+//! 1. [`scene`] reads a scene file, a bare mesh or makes a built-in scene: triangles,
+//!    diffuse materials, lights and a camera, recentred and scaled before they become f32.
+//! 2. [`bvh`] builds the bounding volume hierarchy that host and device both traverse.
+//! 3. [`render::Prepared`] holds what is done once: hierarchy, lights, device
+//!    ([`gpu::Gpu`]), kernels and the buffers of the scene. [`render::frame`] does the rest:
+//! 4. **VPLs**: the host traces light paths; each hit deposits a virtual point light.
+//! 5. **Visible points**: camera rays, for each sample of every pixel of a tile.
+//! 6. **Direct light**: shadow rays to point lights and to samples of area lights.
+//! 7. **Visibility**: a bit for each visible point and VPL.
+//! 8. **Shading**: every visible point gathers every VPL that it sees.
+//! 9. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done and
+//!    how long it took.
+//!
+//! A kernel is an ordered list of the files in `shaders/`, chosen by what the scene and the
+//! settings need; the list is in one place, `src/render/kernels.rs`.
+//!
+//! # Example
+//!
+//! ```no_run
+//! use gpu_vpl::gpu::{AdapterChoice, Gpu};
+//! use gpu_vpl::render::{Prepared, Settings, frame};
+//! use gpu_vpl::scene::Scene;
+//!
+//! let scene = Scene::load("builtin:cornell")?;
+//! let camera = scene.camera;
+//! let settings = Settings::default();
+//! let prepared = Prepared::new(Gpu::open(&AdapterChoice::Auto)?, scene, &settings)?;
+//! let result = frame(&prepared, &camera, &settings, 0, &|_, _| {})?;
+//! println!("{} VPLs, {:?}", result.counts.vpls, result.phases.render());
+//! # Ok::<(), gpu_vpl::error::Error>(())
+//! ```
+//!
+//! # Units
+//!
+//! Linear Rec. 709 RGB, radiometric. Lengths are the scene file's; the renderer works in
+//! normalised ones ([`scene::Units`]), and nothing that it reports depends on them.
 
 pub mod bvh;
 pub mod cli;

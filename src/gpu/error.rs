@@ -40,6 +40,18 @@ pub enum GpuError {
     /// The device has no memory left.
     #[error("out of device memory while {0}; render a smaller scene or fewer VPLs")]
     OutOfMemory(String),
+    /// The host has no memory for the result.
+    #[error(
+        "an image of {width} x {height} pixels needs {bytes} bytes of memory; ask for a smaller one"
+    )]
+    ImageTooLarge {
+        /// Pixels in a row.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// How much it needs.
+        bytes: u64,
+    },
     /// The device went away.
     #[error("the device was lost while {0}; try again, or another --adapter")]
     Lost(String),

@@ -68,9 +68,7 @@ impl<'a> TileRenderer<'a> {
         counts: &mut Counts,
         progress: Progress<'_>,
     ) -> Result<Image, GpuError> {
-        let [width, height] = self.camera.size;
-        let mut image =
-            Image { width, height, pixels: vec![[0.0; 3]; width as usize * height as usize] };
+        let mut image = blank(self.camera.size)?;
         let unit = match self.settings.method {
             Method::Depth => self.prepared.scene.units.scale as f32,
             _ => 1.0,
@@ -286,4 +284,17 @@ impl<'a> TileRenderer<'a> {
     fn samples(&self) -> f64 {
         f64::from(self.settings.samples)
     }
+}
+
+/// A black image, if there is memory for one.
+fn blank([width, height]: [u32; 2]) -> Result<Image, GpuError> {
+    let count = width as usize * height as usize;
+    let mut pixels = Vec::new();
+    pixels.try_reserve_exact(count).map_err(|_| GpuError::ImageTooLarge {
+        width,
+        height,
+        bytes: (count * size_of::<[f32; 3]>()) as u64,
+    })?;
+    pixels.resize(count, [0.0; 3]);
+    Ok(Image { width, height, pixels })
 }
