@@ -22,8 +22,9 @@ fn wrong(image: &Image, tolerance: f64, expected: impl Fn(u32, u32) -> f64) -> V
     for (i, pixel) in (0..).zip(&image.pixels) {
         let expected = expected(i % image.width, i / image.width);
         let got = f64::from(pixel[0]);
-        // Written so that a NaN is wrong.
-        if !((got - expected).abs() <= tolerance * expected) {
+        // A NaN is not right.
+        let right = (got - expected).abs() <= tolerance * expected;
+        if !right {
             wrong.push(format!("pixel {i}: {got} instead of {expected}"));
         }
     }

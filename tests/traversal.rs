@@ -142,7 +142,7 @@ fn nasty_rays(rng: &mut Rng, triangles: &[Triangle]) -> Vec<Ray> {
         // a box's face.
         for axis in 0..3 {
             let mut along = [0.0, -0.0, 0.0];
-            along[axis] = if rng.bits() % 2 == 0 { 1.0 } else { -1.0 };
+            along[axis] = if rng.bits().is_multiple_of(2) { 1.0 } else { -1.0 };
             let along = Vec3::from_array(along);
             push(from, along, limit);
             push(inside - 2.0 * along, along, limit);

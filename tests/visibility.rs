@@ -24,7 +24,7 @@ fn kernels() -> Vec<Tracing> {
 fn place(rng: &mut Rng, triangles: &[Triangle]) -> (Vec3, Vec3) {
     let triangle = &triangles[rng.below(triangles.len())];
     let normal = triangle.scaled_normal().normalize();
-    (rng.on(triangle), if rng.bits() % 2 == 0 { normal } else { -normal })
+    (rng.on(triangle), if rng.bits().is_multiple_of(2) { normal } else { -normal })
 }
 
 fn random(

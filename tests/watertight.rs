@@ -48,7 +48,7 @@ fn closed_surfaces_do_not_leak() {
             let mut level = origin;
             let axis = rng.below(3);
             level[axis] = target[axis];
-            if i % 7 == 0 && (turn.transpose() * level).abs().max_element() < 0.75 {
+            if i.is_multiple_of(7) && (turn.transpose() * level).abs().max_element() < 0.75 {
                 origin = level;
             }
             Ray { origin, direction: target - origin, limit: f32::MAX }

@@ -138,7 +138,7 @@ pub fn cube(n: u32, turn: Mat3) -> Vec<Triangle> {
 pub fn random_rays(rng: &mut Rng, count: usize) -> Vec<Ray> {
     let one = |_| {
         let origin = rng.cube() * 1.5;
-        let limit = if rng.bits() % 2 == 0 { f32::MAX } else { 3.0 * rng.unit() };
+        let limit = if rng.bits().is_multiple_of(2) { f32::MAX } else { 3.0 * rng.unit() };
         Ray { origin, direction: rng.direction() * (0.1 + rng.unit()), limit }
     };
     (0..count).map(one).collect()
