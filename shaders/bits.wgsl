@@ -8,8 +8,8 @@ struct VisibilityParams {
     matrix_word: u32,
     offset: f32,
     nodes: u32,
-    pad0: u32,
-    pad1: u32,
+    first: u32,
+    count: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: VisibilityParams;
@@ -22,4 +22,9 @@ struct VisibilityParams {
 fn count_rays(rays: u32) {
     let before = atomicAdd(&counter[0], rays);
     if before + rays < before { atomicAdd(&counter[1], 1u); }
+}
+
+// What dispatches with earlier VPLs of the same word have found.
+fn earlier(at: u32) -> u32 {
+    return select(bits[at], 0u, params.first == 0u);
 }

@@ -9,7 +9,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var seen = 0u;
     var rays = 0u;
     let count = select(min(32u, params.vpls - 32u * word), 0u, point.surface == NOTHING);
-    for (var i = 0u; i < count; i++) {
+    for (var i = params.first; i < min(count, params.first + params.count); i++) {
         let vpl = vpls[32u * word + i];
         let between = point.position - vpl.position;
         if dot(between, point.normal) >= 0.0 || dot(between, vpl.normal) <= 0.0 { continue; }
@@ -19,6 +19,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         let hit = traverse(origin, end - origin, 1.0, params.nodes, true, 0u);
         if hit.triangle == NOTHING { seen |= 1u << i; }
     }
-    bits[(word - params.matrix_word) * params.rows + id.x] = seen;
+    let at = (word - params.matrix_word) * params.rows + id.x;
+    bits[at] = earlier(at) | seen;
     count_rays(rays);
 }

@@ -80,7 +80,7 @@ fn main(
     var seen3 = 0u;
     var rays = 0u;
     let count = min(32u, params.vpls - 32u * word);
-    for (var i = 0u; i < count; i++) {
+    for (var i = params.first; i < min(count, params.first + params.count); i++) {
         let vpl = vpls[32u * word + i];
         let origin = vpl.position + params.offset * vpl.normal;
         let d0 = e0 - origin;
@@ -159,9 +159,9 @@ fn main(
 
     let row = 4u * id.x;
     let at = (word - params.matrix_word) * params.rows + row;
-    if row < params.rows { bits[at] = seen0; }
-    if row + 1u < params.rows { bits[at + 1u] = seen1; }
-    if row + 2u < params.rows { bits[at + 2u] = seen2; }
-    if row + 3u < params.rows { bits[at + 3u] = seen3; }
+    if row < params.rows { bits[at] = earlier(at) | seen0; }
+    if row + 1u < params.rows { bits[at + 1u] = earlier(at + 1u) | seen1; }
+    if row + 2u < params.rows { bits[at + 2u] = earlier(at + 2u) | seen2; }
+    if row + 3u < params.rows { bits[at + 3u] = earlier(at + 3u) | seen3; }
     count_rays(rays);
 }

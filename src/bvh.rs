@@ -77,7 +77,8 @@ impl Bvh {
                         true => self.push_leaf(built, node.first_index, node.prim_count, triangles),
                         false => 0,
                     };
-                    let (low, high) = (node.min.to_array(), node.max.to_array());
+                    let low = node.min.to_array().map(|x| x - slack(x));
+                    let high = node.max.to_array().map(|x| x + slack(x));
                     self.nodes.push(NodeRecord { low, skip: 0, high, leaf });
                     steps.push(Step::Leave(at));
                     if !node.is_leaf() {
@@ -99,4 +100,10 @@ impl Bvh {
         }));
         leaf
     }
+}
+
+/// By how much a box is widened: rays along its faces, where a slab test has 0 · ∞, are then
+/// inside or outside of it, and what spatial splits have rounded is made good.
+fn slack(coordinate: f32) -> f32 {
+    f32::EPSILON * (1.0 + coordinate.abs())
 }

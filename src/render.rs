@@ -1,7 +1,7 @@
 //! The pipeline: what is prepared once, and the passes of a frame in their order.
 
 mod film;
-mod kernels;
+pub mod kernels;
 mod light;
 mod settings;
 mod stages;

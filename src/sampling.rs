@@ -31,7 +31,7 @@ impl Sequence {
     /// Coordinate `dimension` of point `index`. Blocks of 2^16 points and of 256 dimensions
     /// are scrambled independently of each other.
     pub fn sample(&self, index: u32, dimension: u32) -> f32 {
-        let block = hash(index / BLOCK ^ hash(dimension / DIMENSIONS));
+        let block = hash((index / BLOCK) ^ hash(dimension / DIMENSIONS));
         let seed = hash(self.seed ^ block);
         sobol_burley::sample(index % BLOCK, dimension % DIMENSIONS, seed)
     }

@@ -203,8 +203,10 @@ pub struct VisibilityParams {
     pub offset: f32,
     /// Number of BVH nodes.
     pub nodes: u32,
-    /// Unused.
-    pub pad: [u32; 2],
+    /// The first VPL of each word in this dispatch.
+    pub first: u32,
+    /// VPLs of each word in this dispatch.
+    pub count: u32,
 }
 
 /// Parameters of the shading pass.

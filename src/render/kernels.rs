@@ -58,6 +58,17 @@ impl Tracing {
     }
 }
 
+/// How many rays one invocation may trace in a dispatch, a power of two up to the 32 of a
+/// word. Mesa's llvmpipe silently leaves all loops of an invocation after 65,535 rounds
+/// together; so many are enough for that many rays even if each meets all boxes of a small
+/// hierarchy, or many of a large one.
+pub fn rays_at_once(nodes: usize) -> u32 {
+    const ROUNDS: usize = 65_000;
+    // A round for a node, and for a leaf's triangles and the way on from there.
+    let rays = (ROUNDS / (2 * nodes.max(1))).clamp(4, 32);
+    1 << rays.ilog2()
+}
+
 /// Shadow rays between points and VPLs.
 pub fn visibility(tracing: Tracing) -> Program {
     let modules = match tracing {

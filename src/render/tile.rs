@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use super::film::{BLOCK, TILE_BLOCKS, develop, image_blocks};
 use super::stages::{Indirect, MATRIX_WORDS, Stage, Stages};
-use super::{Counts, Method, Phases, Prepared, Progress, Settings};
+use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};
 use crate::gpu::{CameraParams, DirectParams, GpuError, ShadeParams, VisibilityParams};
 use crate::image::Image;
 use crate::sampling::{SURFACE_OFFSET, hash};
@@ -142,7 +142,8 @@ impl<'a> TileRenderer<'a> {
 
     /// Direct light, in dispatches of a bounded number of shadow rays.
     fn direct(&self, tile: Tile) -> Result<Duration, GpuError> {
-        let slice = (self.dispatch_rays() / tile.points()).max(1);
+        let most = kernels::rays_at_once(self.prepared.bvh.nodes.len());
+        let slice = (self.dispatch_rays() / tile.points()).clamp(1, most);
         let samples = self.settings.light_samples_per_point();
         let mut time = Duration::ZERO;
         let lights = &self.prepared.lights;
@@ -188,7 +189,8 @@ impl<'a> TileRenderer<'a> {
         };
         let rows = tile.points();
         let words = indirect.count.div_ceil(32);
-        let slice = (self.dispatch_rays() / (32 * rows)).max(1);
+        let count = kernels::rays_at_once(self.prepared.bvh.nodes.len());
+        let slice = (self.dispatch_rays() / (count * rows)).max(1);
         // With subgroups a lane has four points.
         let groups = match self.prepared.gpu.has_subgroups() {
             true => rows.div_ceil(4 * 64),
@@ -199,17 +201,20 @@ impl<'a> TileRenderer<'a> {
             let matrix_words = MATRIX_WORDS.min(words - matrix_word);
             for start in (0..matrix_words).step_by(slice as usize) {
                 progress(f64::from(matrix_word + start) / f64::from(words), "visibility");
-                let params = VisibilityParams {
-                    rows,
-                    vpls: indirect.count,
-                    first_word: matrix_word + start,
-                    matrix_word,
-                    offset: SURFACE_OFFSET,
-                    nodes: self.prepared.bvh.nodes.len() as u32,
-                    pad: [0; 2],
-                };
-                let across = [groups, slice.min(matrix_words - start)];
-                phases.visibility += self.run(visibility, &params, across)?;
+                for first in (0..32).step_by(count as usize) {
+                    let params = VisibilityParams {
+                        rows,
+                        vpls: indirect.count,
+                        first_word: matrix_word + start,
+                        matrix_word,
+                        offset: SURFACE_OFFSET,
+                        nodes: self.prepared.bvh.nodes.len() as u32,
+                        first,
+                        count,
+                    };
+                    let across = [groups, slice.min(matrix_words - start)];
+                    phases.visibility += self.run(visibility, &params, across)?;
+                }
             }
             let params = ShadeParams {
                 points: rows,

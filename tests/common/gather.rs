@@ -1,0 +1,123 @@
+//! The visibility and the shading pass, run on records made by hand.
+
+use glam::Vec3;
+use gpu_vpl::bvh::Bvh;
+use gpu_vpl::gpu::{Gpu, Pass, PointRecord, ShadeParams, VisibilityParams, VplRecord};
+use gpu_vpl::render::kernels::{Tracing, rays_at_once, shade, visibility};
+use gpu_vpl::sampling::SURFACE_OFFSET;
+
+pub fn point(position: Vec3, normal: Vec3) -> PointRecord {
+    let (position, normal) = (position.to_array(), normal.to_array());
+    PointRecord { position, surface: 0, normal, depth: 0.0 }
+}
+
+pub fn vpl(position: Vec3, normal: Vec3, intensity: Vec3) -> VplRecord {
+    VplRecord {
+        position: position.to_array(),
+        pad0: 0.0,
+        normal: normal.to_array(),
+        pad1: 0.0,
+        intensity: intensity.to_array(),
+        mean: intensity.element_sum() / 3.0,
+    }
+}
+
+/// Fills up to whole words with lights of no intensity, as the renderer does.
+fn whole_words(vpls: &[VplRecord]) -> Vec<VplRecord> {
+    let mut vpls = vpls.to_vec();
+    vpls.resize(vpls.len().next_multiple_of(32), bytemuck::Zeroable::zeroed());
+    vpls
+}
+
+fn workgroups(points: usize, four_a_lane: bool) -> u32 {
+    points.div_ceil(if four_a_lane { 4 * 64 } else { 64 }) as u32
+}
+
+/// Irradiance, and in w what the bound removed, on top of `before`. `bits` has a word of 32
+/// VPLs for every point, then the next; they begin with the VPLs' word `matrix_word`.
+pub fn irradiance(
+    gpu: &Gpu,
+    subgroups: bool,
+    bound: Option<f32>,
+    points: &[PointRecord],
+    vpls: &[VplRecord],
+    (bits, matrix_word): (&[u32], u32),
+    before: [f32; 4],
+) -> Vec<[f32; 4]> {
+    let kernel = gpu.compile(&shade(subgroups, bound.is_some())).unwrap();
+    let params = gpu.uniform::<ShadeParams>("params").unwrap();
+    let count = points.len() as u32;
+    let record = ShadeParams {
+        points: count,
+        rows: count,
+        matrix_word,
+        words: bits.len() as u32 / count,
+        bound: bound.unwrap_or(0.0),
+        pad: [0; 3],
+    };
+    gpu.write(&params, &[record]).unwrap();
+    let result = gpu.storage_of("irradiance", &vec![before; points.len()]).unwrap();
+    let buffers = [
+        ("params", &params),
+        ("points", &gpu.storage_of("points", points).unwrap()),
+        ("vpls", &gpu.storage_of("vpls", &whole_words(vpls)).unwrap()),
+        ("bits", &gpu.storage_of("bits", bits).unwrap()),
+        ("irradiance", &result),
+    ];
+    let bindings = gpu.bind(&kernel, &buffers).unwrap();
+    let workgroups = [workgroups(points.len(), subgroups), 1];
+    gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
+    gpu.read(&result, points.len()).unwrap()
+}
+
+/// Who sees whom, and how many rays were traced. `slices` are the numbers of words that the
+/// dispatches have, one after the other.
+pub fn visible(
+    gpu: &Gpu,
+    tracing: Tracing,
+    bvh: &Bvh,
+    points: &[PointRecord],
+    vpls: &[VplRecord],
+    slices: &[u32],
+) -> (Vec<u32>, u64) {
+    let kernel = gpu.compile(&visibility(tracing)).unwrap();
+    let params = gpu.uniform::<VisibilityParams>("params").unwrap();
+    let words = vpls.len().div_ceil(32);
+    assert_eq!(slices.iter().sum::<u32>() as usize, words, "the slices are the whole");
+    // What a pass leaves alone stays as it is here.
+    let bits = gpu.storage_of("bits", &vec![u32::MAX; words * points.len()]).unwrap();
+    let counter = gpu.storage_of("counter", &[0u32; 2]).unwrap();
+    let buffers = [
+        ("params", &params),
+        ("nodes", &gpu.storage_of("nodes", &bvh.nodes).unwrap()),
+        ("triangles", &gpu.storage_of("triangles", &bvh.triangles).unwrap()),
+        ("points", &gpu.storage_of("points", points).unwrap()),
+        ("vpls", &gpu.storage_of("vpls", &whole_words(vpls)).unwrap()),
+        ("bits", &bits),
+        ("counter", &counter),
+    ];
+    let bindings = gpu.bind(&kernel, &buffers).unwrap();
+    let mut first_word = 0;
+    let at_once = rays_at_once(bvh.nodes.len());
+    for &slice in slices {
+        for first in (0..32).step_by(at_once as usize) {
+            let record = VisibilityParams {
+                rows: points.len() as u32,
+                vpls: vpls.len() as u32,
+                first_word,
+                matrix_word: 0,
+                offset: SURFACE_OFFSET,
+                nodes: bvh.nodes.len() as u32,
+                first,
+                count: at_once,
+            };
+            gpu.write(&params, &[record]).unwrap();
+            let workgroups = [workgroups(points.len(), tracing != Tracing::Single), slice];
+            gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
+        }
+        first_word += slice;
+    }
+    let count: Vec<u32> = gpu.read(&counter, 2).unwrap();
+    let rays = u64::from(count[1]) << 32 | u64::from(count[0]);
+    (gpu.read(&bits, words * points.len()).unwrap(), rays)
+}

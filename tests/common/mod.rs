@@ -1,0 +1,205 @@
+//! What several test files need: a device, random numbers, scenes built by hand.
+
+#![allow(dead_code, reason = "each test file uses its own share")]
+#![allow(clippy::expect_used, clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
+
+pub mod compare;
+pub mod gather;
+pub mod tracing;
+
+use std::sync::OnceLock;
+
+use glam::{DVec3, Vec3, dvec3};
+use gpu_vpl::gpu::{AdapterChoice, Gpu};
+use gpu_vpl::render::{self, Frame, Prepared, Settings};
+use gpu_vpl::scene::{Draft, DraftCamera, DraftMaterial, FovAxis, Origin, Scene, Triangle};
+
+/// A device of one's own.
+pub fn open_gpu() -> Gpu {
+    Gpu::open(&AdapterChoice::Auto).expect("tests need an adapter; Mesa's lavapipe is enough")
+}
+
+/// The device that the tests of a file share.
+pub fn gpu() -> &'static Gpu {
+    static GPU: OnceLock<Gpu> = OnceLock::new();
+    GPU.get_or_init(open_gpu)
+}
+
+/// Random numbers by SplitMix64 (Steele, Lea and Flood, 2014), apart from the ones under test.
+#[derive(Debug)]
+pub struct Rng(pub u64);
+
+impl Rng {
+    pub fn bits(&mut self) -> u32 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 32) as u32
+    }
+
+    /// Uniform in [0, 1).
+    pub fn unit(&mut self) -> f32 {
+        (self.bits() >> 8) as f32 / (1 << 24) as f32
+    }
+
+    pub fn below(&mut self, n: usize) -> usize {
+        self.bits() as usize % n
+    }
+
+    /// Uniform in the cube [-1, 1]³.
+    pub fn cube(&mut self) -> Vec3 {
+        Vec3::new(self.unit(), self.unit(), self.unit()) * 2.0 - 1.0
+    }
+
+    /// Uniform on the unit sphere.
+    pub fn direction(&mut self) -> Vec3 {
+        loop {
+            let v = self.cube();
+            if (0.01..1.0).contains(&v.length_squared()) {
+                return v.normalize();
+            }
+        }
+    }
+
+    /// Uniform weights of a triangle's corners.
+    pub fn weights(&mut self) -> [f32; 3] {
+        let root = self.unit().sqrt();
+        let c = root * self.unit();
+        [1.0 - root, root - c, c]
+    }
+
+    /// A point on a triangle.
+    pub fn on(&mut self, triangle: &Triangle) -> Vec3 {
+        let ([a, b, c], [u, v, w]) = (triangle.vertices, self.weights());
+        a * u + b * v + c * w
+    }
+}
+
+/// A scene under construction: everything given in tame units, then scaled and moved in f64.
+#[derive(Debug)]
+pub struct Build {
+    pub draft: Draft,
+    pub scale: f64,
+    pub offset: DVec3,
+}
+
+impl Build {
+    pub fn new() -> Self {
+        Self::at(1.0, DVec3::ZERO)
+    }
+
+    pub fn at(scale: f64, offset: DVec3) -> Self {
+        Self { draft: Draft::new("test"), scale, offset }
+    }
+
+    fn place(&self, point: DVec3) -> DVec3 {
+        point * self.scale + self.offset
+    }
+
+    pub fn material(&mut self, albedo: [f64; 3], emission: [f64; 3], two_sided: bool) -> u32 {
+        let material = DraftMaterial {
+            name: format!("m{}", self.draft.materials.len()),
+            albedo: DVec3::from_array(albedo),
+            emission: DVec3::from_array(emission),
+            two_sided,
+            origin: Origin::default(),
+        };
+        self.draft.add_material(material).expect("there are few materials")
+    }
+
+    pub fn triangle(&mut self, material: u32, corners: [DVec3; 3]) {
+        let corners = corners.map(|corner| self.place(corner));
+        self.draft.triangles.push((corners, material));
+    }
+
+    /// A convex polygon, as a fan.
+    pub fn polygon(&mut self, material: u32, corners: &[DVec3]) {
+        for pair in corners[1..].windows(2) {
+            self.triangle(material, [corners[0], pair[0], pair[1]]);
+        }
+    }
+
+    /// An axis-aligned box whose normals point inwards or outwards.
+    pub fn cuboid(&mut self, material: u32, low: DVec3, high: DVec3, inward: bool) {
+        for axis in 0..3 {
+            for side in 0..2 {
+                let corner = |u: usize, v: usize| {
+                    let mut point = [0.0; 3];
+                    for (k, s) in [(axis, side), ((axis + 1) % 3, u), ((axis + 2) % 3, v)] {
+                        point[k] = [low.to_array(), high.to_array()][s][k];
+                    }
+                    DVec3::from_array(point)
+                };
+                let mut face = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+                if (side == 0) != inward {
+                    face.reverse();
+                }
+                self.polygon(material, &face);
+            }
+        }
+    }
+
+    /// A point light; its intensity grows with the scene, so that irradiance stays.
+    pub fn point_light(&mut self, position: DVec3, intensity: [f64; 3]) {
+        let intensity = DVec3::from_array(intensity) * self.scale * self.scale;
+        self.draft.point_lights.push((self.place(position), intensity));
+    }
+
+    pub fn camera(&mut self, position: DVec3, direction: DVec3, fov: f64, size: [u32; 2]) {
+        let up = if direction.x == 0.0 && direction.y == 0.0 { DVec3::Y } else { DVec3::Z };
+        self.draft.camera = Some(DraftCamera {
+            position: self.place(position),
+            direction,
+            up,
+            fov,
+            fov_axis: FovAxis::Y,
+            size,
+            origin: Origin::default(),
+        });
+    }
+
+    pub fn scene(self) -> Scene {
+        self.draft.finish().expect("a scene of the tests is valid")
+    }
+
+    pub fn render(self, settings: &Settings) -> Frame {
+        render_scene(self.scene(), settings)
+    }
+}
+
+pub fn render_scene(scene: Scene, settings: &Settings) -> Frame {
+    let prepared = Prepared::new(open_gpu(), scene, settings).expect("the scene fits the device");
+    frame(&prepared, settings)
+}
+
+pub fn frame(prepared: &Prepared, settings: &Settings) -> Frame {
+    let camera = prepared.scene.camera;
+    render::frame(prepared, &camera, settings, 1, &|_, _| {}).expect("the frame renders")
+}
+
+/// A closed room [-1, 1]³ with a block in it, in three colours, seen from one corner: lit by a
+/// quad under the ceiling and a point light.
+pub fn room(scale: f64, offset: DVec3, size: [u32; 2]) -> Build {
+    let mut build = Build::at(scale, offset);
+    let wall = build.material([0.7, 0.6, 0.5], [0.0; 3], false);
+    let block = build.material([0.2, 0.5, 0.8], [0.0; 3], false);
+    let lamp = build.material([0.5; 3], [9.0, 8.0, 7.0], false);
+    build.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
+    build.cuboid(block, dvec3(-0.3, 0.1, -1.0), dvec3(0.4, 0.7, 0.2), false);
+    let corner = |x, y| dvec3(x, y, 0.875);
+    let quad = [corner(-0.25, -0.25), corner(-0.25, 0.25), corner(0.25, 0.25), corner(0.25, -0.25)];
+    build.polygon(lamp, &quad);
+    build.point_light(dvec3(0.7, -0.6, 0.3), [0.4, 0.5, 0.6]);
+    build.camera(dvec3(-0.9, -0.8, 0.1), dvec3(0.7, 0.65, -0.1), 80.0, size);
+    build
+}
+
+/// The largest difference of two images, relative to the second one's mean.
+pub fn difference(one: &[[f32; 3]], two: &[[f32; 3]]) -> f64 {
+    assert_eq!(one.len(), two.len(), "images of different sizes");
+    let all = || one.as_flattened().iter().zip(two.as_flattened());
+    let mean = all().map(|(_, &b)| f64::from(b.abs())).sum::<f64>() / (3 * two.len()) as f64;
+    assert!(mean > 0.0, "a black image compares with everything");
+    all().map(|(&a, &b)| f64::from((a - b).abs())).fold(0.0, f64::max) / mean
+}

@@ -1,0 +1,206 @@
+//! The records that host and shaders share: names, types, offsets and sizes, the host's against
+//! naga's of the WGSL structs in every program.
+
+#![allow(clippy::panic, reason = "a helper of tests fails by panicking")]
+
+use std::collections::BTreeMap;
+use std::mem::offset_of;
+
+use gpu_vpl::gpu::{
+    AreaLightRecord, CameraParams, DirectParams, MaterialRecord, NodeRecord, PointLightRecord,
+    PointRecord, ShadeParams, TriangleRecord, VisibilityParams, VplRecord,
+};
+use gpu_vpl::render::all_programs;
+use naga::{ScalarKind, TypeInner};
+
+/// A member: name, offset, kind of its scalars, and how many.
+type Member = (String, u32, ScalarKind, u32);
+
+/// Host types that members may have.
+trait Field {
+    /// The members of this name at this offset.
+    fn members(name: &str, offset: u32) -> Vec<Member>;
+}
+
+impl Field for f32 {
+    fn members(name: &str, offset: u32) -> Vec<Member> {
+        vec![(name.to_owned(), offset, ScalarKind::Float, 1)]
+    }
+}
+
+impl Field for u32 {
+    fn members(name: &str, offset: u32) -> Vec<Member> {
+        vec![(name.to_owned(), offset, ScalarKind::Uint, 1)]
+    }
+}
+
+impl Field for [f32; 3] {
+    fn members(name: &str, offset: u32) -> Vec<Member> {
+        vec![(name.to_owned(), offset, ScalarKind::Float, 3)]
+    }
+}
+
+/// Padding: `pad: [u32; 3]` is `pad0`, `pad1`, `pad2` in WGSL, whose arrays are wider.
+impl<const N: usize> Field for [u32; N] {
+    fn members(name: &str, offset: u32) -> Vec<Member> {
+        let one = |i: u32| (format!("{name}{i}"), offset + 4 * i, ScalarKind::Uint, 1);
+        (0..N as u32).map(one).collect()
+    }
+}
+
+fn members_of<F: Field>(_: &F, name: &str, offset: usize) -> Vec<Member> {
+    F::members(name, offset as u32)
+}
+
+/// A record of the host, and the name of its WGSL struct.
+struct Record {
+    wgsl: &'static str,
+    size: u32,
+    members: Vec<Member>,
+}
+
+macro_rules! record {
+    ($host:ident as $wgsl:literal { $($field:ident),* $(,)? }) => {{
+        // A pattern without `..`: a field that is not listed does not compile.
+        let $host { $($field),* } = <$host as bytemuck::Zeroable>::zeroed();
+        let mut members = Vec::new();
+        $(members.extend(members_of(&$field, stringify!($field), offset_of!($host, $field)));)*
+        Record { wgsl: $wgsl, size: size_of::<$host>() as u32, members }
+    }};
+}
+
+fn records() -> Vec<Record> {
+    vec![
+        record!(NodeRecord as "Node" { low, skip, high, leaf }),
+        record!(TriangleRecord as "Triangle" { a, material, b, index, c, pad }),
+        record!(MaterialRecord as "Material" { albedo, two_sided, emission, pad }),
+        record!(PointRecord as "Point" { position, surface, normal, depth }),
+        record!(VplRecord as "Vpl" { position, pad0, normal, pad1, intensity, mean }),
+        record!(PointLightRecord as "PointLight" { position, pad0, intensity, pad1 }),
+        record!(AreaLightRecord as "AreaLight" {
+            corner, before, edge1, probability, edge2, two_sided, normal, area, radiance, pad,
+        }),
+        record!(CameraParams as "CameraParams" {
+            position, width, forward, height, right, first_block, up, sample, samples, seed,
+            blocks, nodes,
+        }),
+        record!(DirectParams as "DirectParams" {
+            points, lights, first, count, seed, first_block, offset, nodes, sample, samples, weight,
+            share,
+        }),
+        record!(VisibilityParams as "VisibilityParams" {
+            rows, vpls, first_word, matrix_word, offset, nodes, first, count,
+        }),
+        record!(ShadeParams as "ShadeParams" { points, rows, matrix_word, words, bound, pad }),
+    ]
+}
+
+/// The structs of a module by name: naga's span and members.
+fn structs(module: &naga::Module) -> BTreeMap<String, (u32, Vec<Member>)> {
+    let mut found = BTreeMap::new();
+    for (_, ty) in module.types.iter() {
+        let (Some(name), TypeInner::Struct { members, span }) = (&ty.name, &ty.inner) else {
+            continue;
+        };
+        let member = |m: &naga::StructMember| {
+            let (kind, count) = match module.types[m.ty].inner {
+                TypeInner::Scalar(scalar) => (scalar.kind, 1),
+                TypeInner::Vector { size, scalar } => (scalar.kind, size as u32),
+                // No record has such a member: it equals none of the host's.
+                _ => (ScalarKind::Bool, 0),
+            };
+            (m.name.clone().unwrap_or_default(), m.offset, kind, count)
+        };
+        found.insert(name.clone(), (*span, members.iter().map(member).collect()));
+    }
+    found
+}
+
+/// How often each record was compared; an error says what differs first.
+fn compare(
+    records: &[Record],
+    modules: &[naga::Module],
+) -> Result<BTreeMap<&'static str, u32>, String> {
+    let mut compared: BTreeMap<_, _> = records.iter().map(|record| (record.wgsl, 0)).collect();
+    for structs in modules.iter().map(structs) {
+        for record in records {
+            let Some((span, members)) = structs.get(record.wgsl) else { continue };
+            if (*span, members) != (record.size, &record.members) {
+                let Record { wgsl, size, members: host } = record;
+                return Err(format!(
+                    "{wgsl}: WGSL has {span} bytes, {members:?};\nthe host {size}, {host:?}"
+                ));
+            }
+            *compared.entry(record.wgsl).or_default() += 1;
+        }
+    }
+    match compared.iter().find(|(_, count)| **count == 0) {
+        Some((name, _)) => Err(format!("no program has a struct {name}")),
+        None => Ok(compared),
+    }
+}
+
+fn all_modules() -> Vec<naga::Module> {
+    all_programs().iter().map(|program| program.link().unwrap().module).collect()
+}
+
+#[test]
+fn host_records_are_laid_out_as_naga_does() {
+    let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
+    assert_eq!(compared.len(), 11, "{compared:?}");
+}
+
+#[test]
+fn every_struct_in_a_buffer_has_a_host_record() {
+    let known: Vec<_> = records().iter().map(|record| record.wgsl).collect();
+    let mut seen = 0;
+    for module in all_modules() {
+        for (_, global) in module.global_variables.iter().filter(|(_, g)| g.binding.is_some()) {
+            let mut ty = &module.types[global.ty];
+            while let TypeInner::Array { base, .. } = ty.inner {
+                ty = &module.types[base];
+            }
+            if let TypeInner::Struct { .. } = ty.inner {
+                let name = ty.name.as_deref().unwrap_or("?");
+                assert!(known.contains(&name), "{name} in {:?} has no host record", global.name);
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 11, "only {seen} buffers of structs");
+}
+
+/// `visibility_packet.wgsl` reads nodes and triangles word by word.
+#[test]
+fn packets_find_the_words_of_nodes_and_triangles() {
+    assert_eq!((size_of::<NodeRecord>(), size_of::<TriangleRecord>()), (8 * 4, 12 * 4));
+    assert_eq!([offset_of!(NodeRecord, low), offset_of!(NodeRecord, high)], [0, 4 * 4]);
+    assert_eq!([offset_of!(NodeRecord, skip), offset_of!(NodeRecord, leaf)], [3 * 4, 7 * 4]);
+    let corners = [offset_of!(TriangleRecord, a), offset_of!(TriangleRecord, b)];
+    assert_eq!(corners, [0, 4 * 4]);
+    assert_eq!(offset_of!(TriangleRecord, c), 8 * 4);
+}
+
+#[test]
+fn a_record_that_differs_is_seen() {
+    let host = || vec![record!(PointRecord as "Point" { position, surface, normal, depth })];
+    let parse = |source: &str| vec![naga::front::wgsl::parse_str(source).unwrap()];
+    let good = "struct Point { position: vec3f, surface: u32, normal: vec3f, depth: f32 }";
+    assert_eq!(compare(&host(), &parse(good)).unwrap()["Point"], 1);
+    for (from, to) in [
+        // Moved, renamed, of another type, longer, shorter, under another name, absent.
+        ("position: vec3f, surface: u32", "surface: u32, position: vec3f"),
+        ("normal", "direction"),
+        ("surface: u32", "surface: f32"),
+        ("position: vec3f, surface", "position: vec3u, surface"),
+        ("depth: f32", "depth: f32, more: f32"),
+        (", depth: f32", ""),
+        ("struct Point", "struct Points"),
+        (good, "const X = 1;"),
+    ] {
+        let bad = good.replace(from, to);
+        assert_ne!(bad, good);
+        assert!(compare(&host(), &parse(&bad)).is_err(), "not seen: {bad}");
+    }
+    assert!(compare(&host(), &[]).is_err(), "nothing compared, nothing said");
+}

@@ -1,0 +1,133 @@
+//! Every program that any scene can link is one that parses, validates, and binds what it uses.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use gpu_vpl::gpu::{CATALOGUE, Linked, Module, Program};
+use gpu_vpl::render::all_programs;
+use naga::compact::{KeepUnused, compact};
+
+/// Programs with what linking made of them. There are some, or the test fails.
+fn linked() -> Vec<(Program, Linked)> {
+    let programs = all_programs();
+    assert!(!programs.is_empty(), "no programs: nothing was tested");
+    programs
+        .into_iter()
+        .map(|program| match program.link() {
+            Ok(linked) => (program, linked),
+            Err(error) => panic!("{}: {error}", program.label),
+        })
+        .collect()
+}
+
+#[test]
+fn every_program_links_and_validates() {
+    for (program, linked) in linked() {
+        let entries = &linked.module.entry_points;
+        assert_eq!(entries.len(), 1, "{}: entry points", program.label);
+        assert_eq!(entries[0].name, "main", "{}", program.label);
+        assert_eq!(entries[0].stage, naga::ShaderStage::Compute, "{}", program.label);
+        assert_eq!(entries[0].workgroup_size, [64, 1, 1], "{}", program.label);
+        for module in &program.modules {
+            assert!(linked.source.contains(module.source), "{} in {}", module.name, program.label);
+        }
+    }
+}
+
+#[test]
+fn programs_that_are_wrong_do_not_link() {
+    static UNKNOWN: Module = Module {
+        name: "unknown",
+        source: "@compute @workgroup_size(1)\nfn main() { nowhere(); }",
+        feature: None,
+    };
+    // Parses, but a uniform buffer may not hold an array of stride 4.
+    static INVALID: Module = Module {
+        name: "invalid",
+        source: "@group(0) @binding(0) var<uniform> a: array<u32, 3>;\n\
+                 @compute @workgroup_size(1)\nfn main() { let b = a[0]; }",
+        feature: None,
+    };
+    static FINE: Module = Module { name: "fine", source: "const X = 1;\n", feature: None };
+    for (bad, place) in [(&UNKNOWN, "unknown.wgsl:2"), (&INVALID, "invalid.wgsl")] {
+        let program = Program { label: "bad", modules: vec![&FINE, bad] };
+        let error = program.link().expect_err(bad.name).to_string();
+        assert!(error.contains(place), "no file and line in: {error}");
+    }
+}
+
+#[test]
+fn every_module_is_used_by_some_program() {
+    let programs = all_programs();
+    for module in CATALOGUE {
+        let used = programs.iter().any(|program| program.modules.contains(module));
+        assert!(used, "{}.wgsl is in the catalogue, but in no program", module.name);
+    }
+    for program in &programs {
+        for module in &program.modules {
+            assert!(CATALOGUE.contains(module), "{} is not in the catalogue", module.name);
+        }
+    }
+}
+
+#[test]
+fn every_shader_file_is_in_the_catalogue() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders");
+    let files: BTreeSet<String> = fs::read_dir(folder)
+        .expect("the folder of the shaders")
+        .map(|entry| entry.expect("a file").file_name().to_string_lossy().into_owned())
+        .collect();
+    let known: BTreeSet<String> =
+        CATALOGUE.iter().map(|module| format!("{}.wgsl", module.name)).collect();
+    assert_eq!(known.len(), CATALOGUE.len(), "a module is named twice");
+    assert_eq!(files, known);
+}
+
+/// The resources that are left when naga has removed what the entry point does not use.
+fn used(linked: &Linked) -> BTreeMap<String, naga::ResourceBinding> {
+    let mut module = linked.module.clone();
+    compact(&mut module, KeepUnused::No);
+    let named = module.global_variables.iter().filter_map(|(_, global)| {
+        Some((global.name.clone().expect("resources have names"), global.binding?))
+    });
+    named.collect()
+}
+
+#[test]
+fn programs_bind_group_0_and_only_what_they_use() {
+    let mut numbers: BTreeMap<String, u32> = BTreeMap::new();
+    for (program, linked) in linked() {
+        let label = program.label;
+        let used = used(&linked);
+        assert!(!used.is_empty(), "{label} uses no resource");
+        assert!(used.values().all(|binding| binding.group == 0), "{label}: {used:?}");
+        let expected: BTreeSet<_> = used.iter().map(|(n, b)| (n.clone(), b.binding)).collect();
+        let bound: BTreeSet<_> = linked.bindings.iter().cloned().collect();
+        assert_eq!(bound, expected, "{label}: bound against used");
+        let distinct: BTreeSet<u32> = bound.iter().map(|(_, number)| *number).collect();
+        assert_eq!(distinct.len(), bound.len(), "{label}: a binding number twice in {bound:?}");
+        // Nor is anything linked whose resources are not used.
+        let declared = linked.module.global_variables.iter().filter(|(_, g)| g.binding.is_some());
+        assert_eq!(declared.count(), bound.len(), "{label} declares what it does not use");
+        for (name, number) in bound {
+            let known = *numbers.entry(name.clone()).or_insert(number);
+            assert_eq!(known, number, "{label}: '{name}' has another number elsewhere");
+        }
+    }
+}
+
+#[test]
+fn what_an_entry_point_does_not_use_is_not_bound() {
+    static SPARE: Module = Module {
+        name: "spare",
+        source: "@group(0) @binding(1) var<storage, read> spare: array<u32>;\n\
+                 @group(0) @binding(2) var<storage, read_write> out: array<u32>;\n\
+                 fn unused() -> u32 { return spare[0]; }\n\
+                 @compute @workgroup_size(64)\nfn main() { out[0] = 1u; }",
+        feature: None,
+    };
+    let linked = Program { label: "spare", modules: vec![&SPARE] }.link().expect("it is valid");
+    assert_eq!(linked.bindings, [("out".to_owned(), 2)]);
+    assert_eq!(used(&linked).keys().collect::<Vec<_>>(), ["out"]);
+}

@@ -1,0 +1,187 @@
+//! The visibility pass on points and VPLs made by hand: all its kernels, and the host.
+
+mod common;
+
+use common::Rng;
+use common::gather::{point, visible, vpl};
+use common::tracing::{cube, soup};
+use glam::{Mat3, Vec3};
+use gpu_vpl::bvh::{Bvh, Ray};
+use gpu_vpl::gpu::{PointRecord, VplRecord};
+use gpu_vpl::render::kernels::Tracing;
+use gpu_vpl::sampling::SURFACE_OFFSET;
+use gpu_vpl::scene::Triangle;
+
+fn kernels() -> Vec<Tracing> {
+    let mut kernels = vec![Tracing::Single];
+    if common::gpu().has_subgroups() {
+        kernels.extend([Tracing::Shaft, Tracing::Rays]);
+    }
+    kernels
+}
+
+/// A point on some triangle, and the normal of one of its sides.
+fn place(rng: &mut Rng, triangles: &[Triangle]) -> (Vec3, Vec3) {
+    let triangle = &triangles[rng.below(triangles.len())];
+    let normal = triangle.scaled_normal().normalize();
+    (rng.on(triangle), if rng.bits().is_multiple_of(2) { normal } else { -normal })
+}
+
+fn random(
+    rng: &mut Rng,
+    triangles: &[Triangle],
+    points: usize,
+    vpls: usize,
+) -> (Vec<PointRecord>, Vec<VplRecord>) {
+    let mut points: Vec<_> = (0..points)
+        .map(|_| {
+            let (position, normal) = place(rng, triangles);
+            point(position, normal)
+        })
+        .collect();
+    // Camera rays that hit nothing are among them, in runs and alone, and at the ends.
+    for (i, point) in points.iter_mut().enumerate() {
+        if i % 11 == 5 || (30..50).contains(&i) {
+            point.surface = PointRecord::NOTHING;
+            (point.position, point.normal) = ([0.0; 3], [0.0; 3]);
+        }
+    }
+    let vpls = (0..vpls)
+        .map(|_| {
+            let (position, normal) = place(rng, triangles);
+            vpl(position, normal, Vec3::ONE)
+        })
+        .collect();
+    (points, vpls)
+}
+
+/// The pass on the host: the bits, and the number of rays.
+fn reference(bvh: &Bvh, points: &[PointRecord], vpls: &[VplRecord]) -> (Vec<u32>, u64) {
+    let mut bits = vec![0; vpls.len().div_ceil(32) * points.len()];
+    let mut rays = 0;
+    for (j, vpl) in vpls.iter().enumerate() {
+        for (i, point) in points.iter().enumerate() {
+            let [x, n, s, m] =
+                [point.position, point.normal, vpl.position, vpl.normal].map(Vec3::from_array);
+            let between = x - s;
+            if point.surface == PointRecord::NOTHING
+                || between.dot(n) >= 0.0
+                || between.dot(m) <= 0.0
+            {
+                continue;
+            }
+            rays += 1;
+            let origin = s + SURFACE_OFFSET * m;
+            let direction = x + SURFACE_OFFSET * n - origin;
+            let seen = !bvh.occluded(&Ray { origin, direction, limit: 1.0 });
+            bits[j / 32 * points.len() + i] |= u32::from(seen) << (j % 32);
+        }
+    }
+    (bits, rays)
+}
+
+fn differing(one: &[u32], two: &[u32]) -> u32 {
+    assert_eq!(one.len(), two.len());
+    one.iter().zip(two).map(|(a, b)| (a ^ b).count_ones()).sum()
+}
+
+fn scenes(rng: &mut Rng) -> Vec<(&'static str, Vec<Triangle>)> {
+    let turned = Mat3::from_rotation_x(0.3) * Mat3::from_rotation_y(1.1);
+    let mut furnished = cube(2, Mat3::IDENTITY);
+    furnished.extend(soup(rng, 10, 0.3));
+    vec![
+        ("one triangle", soup(rng, 1, 1.0)),
+        ("closed box", cube(1, Mat3::IDENTITY)),
+        ("turned box", cube(4, turned)),
+        ("soup", soup(rng, 40, 0.6)),
+        ("furnished box", furnished),
+        ("many triangles", soup(rng, 2000, 0.05)),
+    ]
+}
+
+/// Single rays and packets, small boxes and large, host and device: one answer.
+#[test]
+fn all_kernels_and_the_host_see_the_same() {
+    let mut rng = Rng(1);
+    let (mut pairs, mut differ, mut seen, mut blocked) = (0u64, 0u64, 0u64, 0u64);
+    for (name, triangles) in scenes(&mut rng) {
+        let bvh = Bvh::build(&triangles);
+        for (points, vpls) in [(1, 1), (6, 32), (203, 77), (518, 200)] {
+            let (points, vpls) = random(&mut rng, &triangles, points, vpls);
+            let (expected, rays) = reference(&bvh, &points, &vpls);
+            let lit: u64 = expected.iter().map(|word| u64::from(word.count_ones())).sum();
+            seen += lit;
+            blocked += rays - lit;
+            for tracing in kernels() {
+                // Packets take whole shafts only through small hierarchies.
+                if tracing == Tracing::Shaft && bvh.nodes.len() > 1000 {
+                    continue;
+                }
+                let words = vpls.len().div_ceil(32) as u32;
+                let got = visible(common::gpu(), tracing, &bvh, &points, &vpls, &[words]);
+                let what = format!("{name}, {tracing:?}, {} × {}", points.len(), vpls.len());
+                // Nearly every pair is far from the horizon, and a scene's alike: the same
+                // cosines are positive but for one in 10⁵.
+                assert!(got.1.abs_diff(rays) <= rays / 100_000, "{what}: {} rays, {rays}", got.1);
+                let wrong = differing(&got.0, &expected);
+                assert!(wrong <= 3, "{what}: {wrong} bits differ from the host's");
+                differ += u64::from(wrong);
+                pairs += rays;
+                // Slices of the matrix, one dispatch each, make the same whole.
+                if words > 2 {
+                    let slices = [1, words - 2, 1];
+                    let sliced = visible(common::gpu(), tracing, &bvh, &points, &vpls, &slices);
+                    assert!(sliced == got, "{what}: slices differ from the whole");
+                }
+            }
+        }
+    }
+    // A ray within rounding of an edge may be answered either way.
+    assert!(pairs > 100_000 && differ * 100_000 <= pairs, "{differ} bits of {pairs} differ");
+    assert!(seen > 10_000 && blocked > 10_000, "{seen} seen, {blocked} blocked: a weak test");
+}
+
+/// In a convex room everyone sees everyone but those on the same wall; the walls are no
+/// obstacle to rays that end on them.
+#[test]
+fn walls_of_a_convex_room_block_nothing() {
+    let mut rng = Rng(2);
+    let turned = Mat3::from_rotation_x(0.3) * Mat3::from_rotation_y(1.1);
+    for turn in [Mat3::IDENTITY, turned] {
+        let triangles = cube(3, turn);
+        let bvh = Bvh::build(&triangles);
+        let inside = |rng: &mut Rng| {
+            let (position, normal) = place(rng, &triangles);
+            (position, if normal.dot(position) > 0.0 { -normal } else { normal })
+        };
+        let points: Vec<_> = (0..400).map(|_| inside(&mut rng)).collect();
+        let vpls: Vec<_> = (0..96).map(|_| inside(&mut rng)).collect();
+        let point_records: Vec<_> = points.iter().map(|&(p, n)| point(p, n)).collect();
+        let vpl_records: Vec<_> = vpls.iter().map(|&(p, n)| vpl(p, n, Vec3::ONE)).collect();
+        for tracing in kernels() {
+            let gpu = common::gpu();
+            let (bits, _) = visible(gpu, tracing, &bvh, &point_records, &vpl_records, &[3]);
+            for (j, &(s, m)) in vpls.iter().enumerate() {
+                for (i, &(x, n)) in points.iter().enumerate() {
+                    let sees = bits[j / 32 * points.len() + i] >> (j % 32) & 1 == 1;
+                    // On the same wall the cosines are rounding, and their sign is chance.
+                    if n.dot(m) < 0.99 {
+                        assert!(sees, "{tracing:?}: {x} does not see {s}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn wrong_bits_are_counted() {
+    assert_eq!(differing(&[0b1011, 7], &[0b1011, 7]), 0);
+    assert_eq!(differing(&[0b1011, 7], &[0b0010, 7]), 2);
+    let triangles = cube(1, Mat3::IDENTITY);
+    let (points, vpls) = random(&mut Rng(3), &soup(&mut Rng(4), 30, 1.0), 200, 40);
+    let open = reference(&Bvh::build(&triangles[..1]), &points, &vpls);
+    let closed = reference(&Bvh::build(&triangles), &points, &vpls);
+    assert_eq!(open.1, closed.1);
+    assert!(differing(&open.0, &closed.0) > 20, "a box without walls looks closed");
+}
