@@ -4,6 +4,8 @@
 //! cargo test --release --test convergence -- --nocapture
 //! ```
 
+#![expect(clippy::print_stdout, clippy::unwrap_used, reason = "a test whose output is a table")]
+
 use std::time::Instant;
 
 use gpu_vpl::gpu::{AdapterChoice, Gpu};

@@ -119,9 +119,8 @@ fn check(name: &str, triangles: &[Triangle], rays: &[Ray], most_unsure: usize) {
         for (side, answers) in on_all(&bvh, rays, any) {
             let mut unsure = 0;
             for (ray, answer) in rays.iter().zip(&answers) {
-                if let Some(fault) = judge(triangles, ray, any, answer, &mut unsure) {
-                    panic!("{name}, {side}, any = {any}: {ray:?} {fault}");
-                }
+                let fault = judge(triangles, ray, any, answer, &mut unsure);
+                assert_eq!(fault, None, "{name}, {side}, any = {any}: {ray:?}");
             }
             let differ = host.iter().zip(&answers).filter(|(h, d)| h.hits() != d.hits()).count();
             assert!(unsure <= most_unsure, "{name}: {unsure} answers rest on unsure triangles");
