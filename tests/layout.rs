@@ -1,7 +1,7 @@
 //! The records that host and shaders share: names, types, offsets and sizes, the host's against
 //! naga's of the WGSL structs in every program.
 
-#![allow(clippy::panic, reason = "a helper of tests fails by panicking")]
+#![allow(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
 
 use std::collections::BTreeMap;
 use std::mem::offset_of;

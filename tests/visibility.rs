@@ -95,6 +95,7 @@ fn scenes(rng: &mut Rng) -> Vec<(&'static str, Vec<Triangle>)> {
         ("turned box", cube(4, turned)),
         ("soup", soup(rng, 40, 0.6)),
         ("furnished box", furnished),
+        ("a few hundred triangles", soup(rng, 450, 0.1)),
         ("many triangles", soup(rng, 2000, 0.05)),
     ]
 }

@@ -64,8 +64,9 @@ impl Tracing {
 /// hierarchy, or many of a large one.
 pub fn rays_at_once(nodes: usize) -> u32 {
     const ROUNDS: usize = 65_000;
-    // A round for a node, and for a leaf's triangles and the way on from there.
-    let rays = (ROUNDS / (2 * nodes.max(1))).clamp(4, 32);
+    // A round for a node, and at a leaf, which half of the nodes are, one for each triangle, one
+    // to leave them, and one for the way on.
+    let rays = (ROUNDS / (4 * nodes.max(1))).clamp(4, 32);
     1 << rays.ilog2()
 }
 
