@@ -16,10 +16,12 @@ struct VisibilityParams {
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
 @group(0) @binding(6) var<storage, read_write> bits: array<u32>;
-// Rays traced, in two words.
-@group(0) @binding(10) var<storage, read_write> counter: array<atomic<u32>, 2>;
+// Rays traced, in two words; then invocations whose loops did not come to their end, as some
+// drivers bound the rounds of all loops of an invocation, and leave them silently.
+@group(0) @binding(10) var<storage, read_write> counter: array<atomic<u32>, 3>;
 
-fn count_rays(rays: u32) {
+fn count_rays(rays: u32, finished: bool) {
+    if !finished { atomicAdd(&counter[2], 1u); }
     let before = atomicAdd(&counter[0], rays);
     if before + rays < before { atomicAdd(&counter[1], 1u); }
 }

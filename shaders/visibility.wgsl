@@ -9,7 +9,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var seen = 0u;
     var rays = 0u;
     let count = select(min(32u, params.vpls - 32u * word), 0u, point.surface == NOTHING);
-    for (var i = params.first; i < min(count, params.first + params.count); i++) {
+    let stop = min(count, params.first + params.count);
+    var i = params.first;
+    for (; i < stop; i++) {
         let vpl = vpls[32u * word + i];
         let between = point.position - vpl.position;
         if dot(between, point.normal) >= 0.0 || dot(between, vpl.normal) <= 0.0 { continue; }
@@ -21,5 +23,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let at = (word - params.matrix_word) * params.rows + id.x;
     bits[at] = earlier(at) | seen;
-    count_rays(rays);
+    count_rays(rays, i >= stop);
 }

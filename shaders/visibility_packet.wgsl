@@ -80,7 +80,10 @@ fn main(
     var seen3 = 0u;
     var rays = 0u;
     let count = min(32u, params.vpls - 32u * word);
-    for (var i = params.first; i < min(count, params.first + params.count); i++) {
+    let stop = min(count, params.first + params.count);
+    var finished = true;
+    var i = params.first;
+    for (; i < stop; i++) {
         let vpl = vpls[32u * word + i];
         let origin = vpl.position + params.offset * vpl.normal;
         let d0 = e0 - origin;
@@ -151,6 +154,7 @@ fn main(
             }
             if !subgroupAny(open0 || open1 || open2 || open3) { break; }
         }
+        finished = finished && (at >= params.nodes || !(open0 || open1 || open2 || open3));
         seen0 |= u32(open0) << i;
         seen1 |= u32(open1) << i;
         seen2 |= u32(open2) << i;
@@ -163,5 +167,5 @@ fn main(
     if row + 1u < params.rows { bits[at + 1u] = earlier(at + 1u) | seen1; }
     if row + 2u < params.rows { bits[at + 2u] = earlier(at + 2u) | seen2; }
     if row + 3u < params.rows { bits[at + 3u] = earlier(at + 3u) | seen3; }
-    count_rays(rays);
+    count_rays(rays, finished && i >= stop);
 }

@@ -83,7 +83,7 @@ impl Stages {
         let words = indirect.map_or(0, |i| i.count.div_ceil(32).min(MATRIX_WORDS)) as usize;
 
         let film = gpu.storage::<[f32; 4]>("film", points)?;
-        let counter = gpu.storage::<u32>("ray counter", 2)?;
+        let counter = gpu.storage::<u32>("ray counter", 3)?;
         let records = gpu.storage::<PointRecord>("visible points", points)?;
         let energy = clamps.then(|| gpu.storage::<[f32; 2]>("energy", points)).transpose()?;
         let irradiance = (direct || bounced)

@@ -226,15 +226,20 @@ impl<'a> TileRenderer<'a> {
             };
             phases.shading += self.run(shade, &params, [groups, 1])?;
         }
-        let [low, high]: [u32; 2] = self
-            .prepared
-            .gpu
-            .read(&self.stages.counter, 2)?
-            .try_into()
-            .map_err(|_| GpuError::Invalid("ray counter".to_owned()))?;
-        counts.shadow_rays += u64::from(high) << 32 | u64::from(low);
+        counts.shadow_rays += self.traced_rays()?;
         counts.shading_terms += u64::from(rows) * u64::from(indirect.count);
         Ok(())
+    }
+
+    /// How many shadow rays were traced since the counter was cleared, all of them to the end.
+    fn traced_rays(&self) -> Result<u64, GpuError> {
+        let counter: Vec<u32> = self.prepared.gpu.read(&self.stages.counter, 3)?;
+        match counter[..] {
+            [low, high, 0] => Ok(u64::from(high) << 32 | u64::from(low)),
+            _ => Err(GpuError::Invalid(
+                "the driver left the loop of a shadow ray before its end".to_owned(),
+            )),
+        }
     }
 
     fn reflect(&self, groups: [u32; 2]) -> Result<Duration, GpuError> {

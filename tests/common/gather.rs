@@ -86,7 +86,7 @@ pub fn visible(
     assert_eq!(slices.iter().sum::<u32>() as usize, words, "the slices are the whole");
     // What a pass leaves alone stays as it is here.
     let bits = gpu.storage_of("bits", &vec![u32::MAX; words * points.len()]).unwrap();
-    let counter = gpu.storage_of("counter", &[0u32; 2]).unwrap();
+    let counter = gpu.storage_of("counter", &[0u32; 3]).unwrap();
     let buffers = [
         ("params", &params),
         ("nodes", &gpu.storage_of("nodes", &bvh.nodes).unwrap()),
@@ -117,7 +117,7 @@ pub fn visible(
         }
         first_word += slice;
     }
-    let count: Vec<u32> = gpu.read(&counter, 2).unwrap();
+    let count: Vec<u32> = gpu.read(&counter, 3).unwrap();
     let rays = u64::from(count[1]) << 32 | u64::from(count[0]);
     (gpu.read(&bits, words * points.len()).unwrap(), rays)
 }
