@@ -1,5 +1,7 @@
 //! Every program that any scene can link is one that parses, validates, and binds what it uses.
 
+#![allow(clippy::expect_used, clippy::panic, reason = "a helper of tests fails by panicking")]
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;

@@ -4,6 +4,8 @@
 //! So the f64 reference sorts the triangles of a ray into sure hits, sure misses and the rest,
 //! and an answer is right if it contradicts no sure one.
 
+#![allow(clippy::expect_used, clippy::panic, reason = "a helper of tests fails by panicking")]
+
 mod common;
 
 use common::Rng;
