@@ -63,6 +63,11 @@ pub enum GpuError {
         /// How long we waited.
         seconds: u64,
     },
+    /// A driver that bounds the rounds of a shader's loops left one before its end.
+    #[error(
+        "the driver cuts the loop of a single shadow ray short: the scene is too large for it; try another --adapter"
+    )]
+    LoopCut,
     /// A shader or a call that the device refuses: a fault of this program.
     #[error("internal error, please report it: {0}")]
     Invalid(String),

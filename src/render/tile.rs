@@ -1,6 +1,7 @@
 //! The passes of a frame, tile by tile: a tile is a run of 8 × 8 pixel blocks, small enough
 //! that no buffer meets an adapter's limits and no dispatch takes many seconds.
 
+use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 use super::film::{BLOCK, TILE_BLOCKS, develop, image_blocks};
@@ -26,6 +27,9 @@ pub struct TileRenderer<'a> {
     seed: u32,
     indirect: Option<Indirect>,
     stages: Stages,
+    /// Shadow rays that an invocation traces in a dispatch; halved where a driver cuts their
+    /// loops short.
+    rays_at_once: Cell<u32>,
 }
 
 /// A run of blocks, and the sample of its pixels that is being taken.
@@ -55,7 +59,8 @@ impl<'a> TileRenderer<'a> {
         indirect: Option<Indirect>,
     ) -> Result<Self, GpuError> {
         let stages = Stages::new(prepared, camera, settings, indirect.as_ref())?;
-        Ok(Self { prepared, camera, settings, seed, indirect, stages })
+        let rays_at_once = Cell::new(32);
+        Ok(Self { prepared, camera, settings, seed, indirect, stages, rays_at_once })
     }
 
     /// Renders all tiles.
@@ -189,33 +194,28 @@ impl<'a> TileRenderer<'a> {
         };
         let rows = tile.points();
         let words = indirect.count.div_ceil(32);
-        let count = kernels::rays_at_once(self.prepared.bvh.nodes.len());
-        let slice = (self.dispatch_rays() / (count * rows)).max(1);
-        // With subgroups a lane has four points.
-        let groups = match self.prepared.gpu.has_subgroups() {
-            true => rows.div_ceil(4 * 64),
-            false => rows.div_ceil(64),
-        };
-        self.prepared.gpu.clear(&[&self.stages.counter])?;
+        let groups = self.point_groups(rows);
+        let slice = (self.dispatch_rays() / (32 * rows)).max(1);
         for matrix_word in (0..words).step_by(MATRIX_WORDS as usize) {
             let matrix_words = MATRIX_WORDS.min(words - matrix_word);
-            for start in (0..matrix_words).step_by(slice as usize) {
-                progress(f64::from(matrix_word + start) / f64::from(words), "visibility");
-                for first in (0..32).step_by(count as usize) {
-                    let params = VisibilityParams {
-                        rows,
-                        vpls: indirect.count,
-                        first_word: matrix_word + start,
-                        matrix_word,
-                        offset: SURFACE_OFFSET,
-                        nodes: self.prepared.bvh.nodes.len() as u32,
-                        first,
-                        count,
-                    };
-                    let across = [groups, slice.min(matrix_words - start)];
-                    phases.visibility += self.run(visibility, &params, across)?;
-                }
+            let start = Instant::now();
+            for offset in (0..matrix_words).step_by(slice as usize) {
+                let first_word = matrix_word + offset;
+                progress(f64::from(first_word) / f64::from(words), "visibility");
+                let params = VisibilityParams {
+                    rows,
+                    vpls: indirect.count,
+                    first_word,
+                    matrix_word,
+                    offset: SURFACE_OFFSET,
+                    nodes: self.prepared.bvh.nodes.len() as u32,
+                    first: 0,
+                    count: 32,
+                };
+                let across = [groups, slice.min(matrix_words - offset)];
+                counts.shadow_rays += self.trace(visibility, params, across)?;
             }
+            phases.visibility += start.elapsed();
             let params = ShadeParams {
                 points: rows,
                 rows,
@@ -226,19 +226,32 @@ impl<'a> TileRenderer<'a> {
             };
             phases.shading += self.run(shade, &params, [groups, 1])?;
         }
-        counts.shadow_rays += self.traced_rays()?;
         counts.shading_terms += u64::from(rows) * u64::from(indirect.count);
         Ok(())
     }
 
-    /// How many shadow rays were traced since the counter was cleared, all of them to the end.
-    fn traced_rays(&self) -> Result<u64, GpuError> {
-        let counter: Vec<u32> = self.prepared.gpu.read(&self.stages.counter, 3)?;
-        match counter[..] {
-            [low, high, 0] => Ok(u64::from(high) << 32 | u64::from(low)),
-            _ => Err(GpuError::Invalid(
-                "the driver left the loop of a shadow ray before its end".to_owned(),
-            )),
+    /// Traces the shadow rays of some words, in as many dispatches as it takes for every loop
+    /// to come to its end: some drivers bound the rounds of an invocation's loops. Returns how
+    /// many rays there were.
+    fn trace(
+        &self,
+        visibility: &Stage,
+        params: VisibilityParams,
+        groups: [u32; 2],
+    ) -> Result<u64, GpuError> {
+        let gpu = &self.prepared.gpu;
+        loop {
+            let count = self.rays_at_once.get();
+            gpu.clear(&[&self.stages.counter])?;
+            for first in (0..32).step_by(count as usize) {
+                self.run(visibility, &VisibilityParams { first, count, ..params }, groups)?;
+            }
+            let counter: Vec<u32> = gpu.read(&self.stages.counter, 3)?;
+            match counter[..] {
+                [low, high, 0] => return Ok(u64::from(high) << 32 | u64::from(low)),
+                _ if count > 1 => self.rays_at_once.set(count / 2),
+                _ => return Err(GpuError::LoopCut),
+            }
         }
     }
 
@@ -278,6 +291,14 @@ impl<'a> TileRenderer<'a> {
             seed: hash(self.seed ^ 0x68e3_1da4),
             blocks: tile.blocks,
             nodes: self.prepared.bvh.nodes.len() as u32,
+        }
+    }
+
+    /// Workgroups for so many points: with subgroups a lane has four.
+    fn point_groups(&self, points: u32) -> u32 {
+        match self.prepared.gpu.has_subgroups() {
+            true => points.div_ceil(4 * 64),
+            false => points.div_ceil(64),
         }
     }
 
