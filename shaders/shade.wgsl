@@ -5,9 +5,10 @@
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.points { return; }
     let point = points[id.x];
+    let row = row_of(id.x);
     var total = vec4f(0.0);
     for (var word = 0u; word < params.words; word++) {
-        var seen = bits[word * params.rows + id.x];
+        var seen = bits[word * params.rows + row];
         // A sum a word, then the sum of those, keeps rounding small over many VPLs.
         var sum = vec4f(0.0);
         while seen != 0u {

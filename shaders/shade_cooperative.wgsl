@@ -1,6 +1,6 @@
-// Shading together. A lane holds 4 points. Eight lanes load eight VPLs together, one each, and broadcast them,
-// so that a VPL is loaded once for 32 pairs. No lane returns early: a subgroup shares its
-// loads. The adapter may have subgroups of any width from 8.
+// Shading together. A lane holds 4 points. Eight lanes load eight VPLs together, one each, and
+// broadcast them, so that a VPL is loaded once for 32 pairs. No lane returns early: a subgroup
+// shares its loads. The adapter may have subgroups of any width from 8.
 
 @compute @workgroup_size(64)
 fn main(
@@ -17,16 +17,20 @@ fn main(
     let x1 = points[i1];
     let x2 = points[i2];
     let x3 = points[i3];
+    let r0 = row_of(i0);
+    let r1 = row_of(i1);
+    let r2 = row_of(i2);
+    let r3 = row_of(i3);
     var total0 = vec4f(0.0);
     var total1 = vec4f(0.0);
     var total2 = vec4f(0.0);
     var total3 = vec4f(0.0);
     for (var word = 0u; word < params.words; word++) {
         let row = word * params.rows;
-        var b0 = bits[row + i0];
-        var b1 = bits[row + i1];
-        var b2 = bits[row + i2];
-        var b3 = bits[row + i3];
+        var b0 = bits[row + r0];
+        var b1 = bits[row + r1];
+        var b2 = bits[row + r2];
+        var b3 = bits[row + r3];
         // A sum a word, then the sum of those, keeps rounding small over many VPLs.
         var sum0 = vec4f(0.0);
         var sum1 = vec4f(0.0);

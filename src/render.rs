@@ -1,11 +1,14 @@
 //! The pipeline: what is prepared once, and the passes of a frame in their order.
 
 mod film;
+mod gather;
 pub mod kernels;
 mod light;
+mod merge;
 mod settings;
 mod stages;
 mod tile;
+mod visible;
 mod vpl;
 
 use std::time::{Duration, Instant};
@@ -17,11 +20,12 @@ use crate::scene::{Camera, Scene};
 
 pub use kernels::{Kernels, all_programs};
 pub use light::Lights;
-pub use settings::{Bounces, Clamp, Direct, Method, Settings};
+pub use settings::{Bounces, Clamp, Clustering, Direct, Method, Representative, Settings};
 pub use vpl::{LightPaths, Vpl};
 
-use stages::Indirect;
-use tile::TileRenderer;
+use gather::Indirect;
+use merge::VirtualLight;
+use tile::{Clustered, TileRenderer};
 
 /// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels
 /// and the buffers of the scene.
@@ -111,6 +115,10 @@ pub struct Phases {
     pub direct: Duration,
     /// Light paths on the host.
     pub vpls: Duration,
+    /// K-means of the visible points.
+    pub cluster_points: Duration,
+    /// K-means of the VPLs.
+    pub cluster_vpls: Duration,
     /// Shadow rays between visible points and VPLs.
     pub visibility: Duration,
     /// Shading every point by every VPL, and resolving points to pixels.
@@ -122,7 +130,7 @@ pub struct Phases {
 impl Phases {
     /// pT of the thesis: generating VPLs (and clustering).
     pub fn preprocess(&self) -> Duration {
-        self.vpls
+        self.vpls + self.cluster_points + self.cluster_vpls
     }
 
     /// rT of the thesis: visibility and shading.
@@ -138,6 +146,10 @@ pub struct Counts {
     pub visible_points: u64,
     /// VPLs deposited.
     pub vpls: u64,
+    /// Clusters of VPLs, where the method makes them.
+    pub vpl_clusters: Option<u64>,
+    /// Clusters of visible points, where the method makes them.
+    pub point_clusters: Option<u64>,
     /// Segments traced between visible points and VPLs: pairs whose cosines are both
     /// positive.
     pub shadow_rays: u64,
@@ -185,22 +197,42 @@ pub fn frame(
     let start = Instant::now();
     let vpls = light_paths(prepared, settings, seed);
     counts.vpls = vpls.len() as u64;
-    let indirect = indirect(prepared, settings, &vpls)?;
-    counts.clamp = indirect.as_ref().and_then(|indirect| indirect.bound).map(|bound| {
-        let scale = prepared.scene.units.scale;
-        f64::from(bound) / (scale * scale)
-    });
+    let bound = bound(prepared, settings, &vpls);
+    let scale = prepared.scene.units.scale;
+    counts.clamp = bound.map(|bound| f64::from(bound) / (scale * scale));
+    let mut lights: Vec<_> =
+        vpls.iter().map(|vpl| VirtualLight::of(vpl, &prepared.scene)).collect();
     phases.vpls = start.elapsed();
 
-    let renderer = TileRenderer::new(prepared, camera, settings, seed, indirect)?;
-    let image = renderer.render(&mut phases, &mut counts, progress)?;
+    if settings.method.clusters_vpls() {
+        let start = Instant::now();
+        lights = merge::merge(&lights, &settings.clustering, seed);
+        counts.vpl_clusters = Some(lights.len() as u64);
+        phases.cluster_vpls = start.elapsed();
+    }
+
+    let indirect = indirect(prepared, &lights, bound)?;
+    let renderer = TileRenderer::new(prepared, camera, settings, seed, indirect.as_ref())?;
+    let clustered = match settings.method.clusters_points() && indirect.is_some() {
+        true => renderer.cluster(&mut phases, progress)?,
+        false => None,
+    };
+    counts.point_clusters = clustered.as_ref().map(Clustered::count);
+    let gather =
+        indirect.map(|indirect| renderer.gather(indirect, clustered.as_ref())).transpose()?;
+    if let Some(gather) = &gather {
+        let show = |share| progress(0.5 * share, "visibility");
+        counts.shadow_rays += gather.trace_clusters(&mut phases, &show)?;
+    }
+    let image =
+        renderer.render(gather.as_ref(), clustered.as_ref(), &mut phases, &mut counts, progress)?;
     let passes = prepared.gpu.take_pass_times()?;
     Ok(Frame { image, counts, phases, passes })
 }
 
 /// The VPLs that the settings ask for.
 pub fn light_paths(prepared: &Prepared, settings: &Settings, seed: u32) -> Vec<Vpl> {
-    if settings.method != Method::Vpl {
+    if !settings.method.is_indirect() {
         return Vec::new();
     }
     LightPaths {
@@ -214,22 +246,26 @@ pub fn light_paths(prepared: &Prepared, settings: &Settings, seed: u32) -> Vec<V
     .trace()
 }
 
-/// The VPLs on the device, and the bound on their geometry term; none without VPLs.
-fn indirect(
-    prepared: &Prepared,
-    settings: &Settings,
-    vpls: &[Vpl],
-) -> Result<Option<Indirect>, GpuError> {
-    if vpls.is_empty() {
-        return Ok(None);
-    }
+/// The bound on G in normalised units; none when it is off or there are no VPLs.
+fn bound(prepared: &Prepared, settings: &Settings, vpls: &[Vpl]) -> Option<f32> {
     let scale = prepared.scene.units.scale;
-    let bound = match settings.clamp {
+    match settings.clamp {
+        _ if vpls.is_empty() => None,
         Clamp::Off => None,
         Clamp::At(bound) => Some((bound * scale * scale) as f32),
         Clamp::Auto => vpl::density_bound(vpls, &prepared.scene),
-    };
-    let records = vpl::records(vpls, &prepared.scene);
-    let buffer = prepared.gpu.storage_of("VPLs", &records)?;
-    Ok(Some(Indirect { count: vpls.len() as u32, buffer, bound }))
+    }
+}
+
+/// The lights on the device; none if there are none.
+fn indirect(
+    prepared: &Prepared,
+    lights: &[VirtualLight],
+    bound: Option<f32>,
+) -> Result<Option<Indirect>, GpuError> {
+    if lights.is_empty() {
+        return Ok(None);
+    }
+    let buffer = prepared.gpu.storage_of("VPLs", &vpl::records(lights))?;
+    Ok(Some(Indirect { count: lights.len() as u32, buffer, bound }))
 }

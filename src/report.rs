@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::gpu::{AdapterInfo, PassTime};
 use crate::image::Image;
-use crate::render::{self, Bounces, Frame, Method, Prepared, Settings};
+use crate::render::{self, Bounces, Frame, Prepared, Settings};
 
 /// The layout of [`Report`]; it grows when a key changes its meaning, not when one is added.
 pub const SCHEMA: u32 = 1;
@@ -155,8 +155,8 @@ impl From<&render::Phases> for FramePhases {
             visible_points: phases.visible_points.as_secs_f64(),
             direct: phases.direct.as_secs_f64(),
             vpls: phases.vpls.as_secs_f64(),
-            cluster_points: 0.0,
-            cluster_vpls: 0.0,
+            cluster_points: phases.cluster_points.as_secs_f64(),
+            cluster_vpls: phases.cluster_vpls.as_secs_f64(),
             visibility: phases.visibility.as_secs_f64(),
             shading: phases.shading.as_secs_f64(),
             readback: phases.readback.as_secs_f64(),
@@ -193,7 +193,7 @@ impl Report {
         let scene = &prepared.scene;
         let Image { width, height, .. } = first.image;
         let counts = &first.counts;
-        let traces_paths = settings.method == Method::Vpl;
+        let traces_paths = settings.method.is_indirect();
         Self {
             schema: SCHEMA,
             version: env!("CARGO_PKG_VERSION"),
@@ -214,8 +214,8 @@ impl Report {
                 Bounces::Unlimited => BounceLimit::Named("unlimited"),
             },
             vpls: counts.vpls,
-            vpl_clusters: None,
-            point_clusters: None,
+            vpl_clusters: counts.vpl_clusters,
+            point_clusters: counts.point_clusters,
             shadow_rays: counts.shadow_rays,
             shading_terms: counts.shading_terms,
             seconds: Seconds::default(),

@@ -1,15 +1,22 @@
 //! The values of options, and how a wrong one is told.
 
 use crate::image::Tone;
-use crate::render::{Bounces, Clamp, Direct, Method};
+use crate::render::{Bounces, Clamp, Direct, Method, Representative};
 
 /// The methods there are.
-const METHODS: [Method; 5] =
-    [Method::Vpl, Method::Direct, Method::Normal, Method::Depth, Method::Albedo];
+const METHODS: [Method; 8] = [
+    Method::Vpl,
+    Method::Vplc,
+    Method::Vpc,
+    Method::Both,
+    Method::Direct,
+    Method::Normal,
+    Method::Depth,
+    Method::Albedo,
+];
 
 /// Those of the command line's contract that are still to come.
-const LATER_METHODS: [&str; 7] =
-    ["vplc", "vpc", "both", "path", "point-clusters", "vpl-map", "vpl-clusters-map"];
+const LATER_METHODS: [&str; 4] = ["path", "point-clusters", "vpl-map", "vpl-clusters-map"];
 
 pub fn method(text: &str) -> Result<Method, String> {
     if let Some(method) = METHODS.into_iter().find(|method| method.name() == text) {
@@ -47,6 +54,20 @@ pub fn direct(text: &str) -> Result<Direct, String> {
     }
 }
 
+pub fn representative(text: &str) -> Result<Representative, String> {
+    match text {
+        "mean" => Ok(Representative::Mean),
+        "member" => Ok(Representative::Member),
+        _ => Err("give mean or member".to_owned()),
+    }
+}
+
+/// The cosine of the normal gate.
+pub fn normal_threshold(text: &str) -> Result<f32, String> {
+    let value = text.parse::<f32>().ok().filter(|value| (-1.0..1.0).contains(value));
+    value.ok_or_else(|| "give a cosine from -1 to below 1".to_owned())
+}
+
 pub fn clamp(text: &str) -> Result<Clamp, String> {
     match text {
         "auto" => Ok(Clamp::Auto),
@@ -74,10 +95,10 @@ pub fn exposure(text: &str) -> Result<f32, String> {
 /// How a method's data is shown in 8 bits. The exposure is for light alone.
 pub fn tone(method: Method, exposure: f32) -> Tone {
     match method {
-        Method::Vpl | Method::Direct => Tone::Radiance { exposure },
         Method::Albedo => Tone::Radiance { exposure: 0.0 },
         Method::Normal => Tone::Normal,
         Method::Depth => Tone::Depth,
+        _ => Tone::Radiance { exposure },
     }
 }
 
@@ -121,7 +142,7 @@ mod tests {
     #[test]
     fn a_later_method_is_told_from_an_unknown_one() {
         assert_eq!(method("vpl"), Ok(Method::Vpl));
-        assert!(method("both").unwrap_err().contains("not supported yet"));
+        assert!(method("path").unwrap_err().contains("not supported yet"));
         assert!(!method("bogus").unwrap_err().contains("yet"));
         assert!(direct("clustered").unwrap_err().contains("not supported yet"));
     }

@@ -5,9 +5,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
     BITS, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, GATHER, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED,
-    PAIR_UNBOUNDED, RAY, REFLECT, REMOVED, SAMPLING, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO,
-    SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET,
-    VISIBLE,
+    PAIR_UNBOUNDED, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SHADE,
+    SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES,
+    VISIBILITY, VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -85,14 +85,12 @@ pub fn visibility_for(prepared: &Prepared) -> Program {
     visibility(Tracing::of(prepared))
 }
 
-/// Shading of points by VPLs.
-pub fn shade(subgroups: bool, bounded: bool) -> Program {
+/// Shading of points by VPLs; `clustered` points share the rows of the bit matrix.
+pub fn shade(subgroups: bool, bounded: bool, clustered: bool) -> Program {
     let pair = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
-    let modules = match subgroups {
-        true => vec![&TYPES, pair, &GATHER, &SHADE_COOPERATIVE],
-        false => vec![&TYPES, pair, &GATHER, &SHADE],
-    };
-    Program { label: "shading", modules }
+    let row = if clustered { &ROW_CLUSTER } else { &ROW_POINT };
+    let kernel = if subgroups { &SHADE_COOPERATIVE } else { &SHADE };
+    Program { label: "shading", modules: vec![&TYPES, pair, &GATHER, row, kernel] }
 }
 
 /// Emission towards the camera.
@@ -116,7 +114,7 @@ pub fn show(method: Method) -> Option<Program> {
         Method::Normal => ("normals", &SHOW_NORMAL),
         Method::Depth => ("depth", &SHOW_DEPTH),
         Method::Albedo => ("albedo", &SHOW_ALBEDO),
-        Method::Vpl | Method::Direct => return None,
+        _ => return None,
     };
     Some(Program { label, modules: vec![&TYPES, module] })
 }
@@ -143,7 +141,11 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     }
     if settings.traces_light_paths() {
         let bounded = settings.clamp != Clamp::Off;
-        programs.extend([visibility_for(prepared), shade(subgroups, bounded), reflect()]);
+        programs.extend([
+            visibility_for(prepared),
+            shade(subgroups, bounded, settings.method.clusters_points()),
+            reflect(),
+        ]);
         programs.extend(bounded.then(removed));
     }
     programs
@@ -197,7 +199,9 @@ pub fn all_programs() -> Vec<Program> {
     for subgroups in [false, true] {
         programs.push(visible_points(subgroups));
         programs.extend([direct_point(subgroups), direct_area(subgroups)]);
-        programs.extend([false, true].map(|bounded| shade(subgroups, bounded)));
+        for bounded in [false, true] {
+            programs.extend([false, true].map(|clustered| shade(subgroups, bounded, clustered)));
+        }
     }
     programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));
     programs

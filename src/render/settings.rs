@@ -6,6 +6,12 @@ pub enum Method {
     /// Emission, direct light, and indirect light from every VPL.
     #[default]
     Vpl,
+    /// The same from clusters of VPLs.
+    Vplc,
+    /// The same with visibility shared by clusters of visible points.
+    Vpc,
+    /// Clusters of both.
+    Both,
     /// Emission and direct light.
     Direct,
     /// The geometric normal that faces the camera, in world space.
@@ -21,6 +27,9 @@ impl Method {
     pub fn name(self) -> &'static str {
         match self {
             Self::Vpl => "vpl",
+            Self::Vplc => "vplc",
+            Self::Vpc => "vpc",
+            Self::Both => "both",
             Self::Direct => "direct",
             Self::Normal => "normal",
             Self::Depth => "depth",
@@ -30,7 +39,22 @@ impl Method {
 
     /// Whether light is computed at all.
     pub fn is_lit(self) -> bool {
-        matches!(self, Self::Vpl | Self::Direct)
+        self.is_indirect() || self == Self::Direct
+    }
+
+    /// Whether light paths are traced.
+    pub fn is_indirect(self) -> bool {
+        matches!(self, Self::Vpl | Self::Vplc | Self::Vpc | Self::Both)
+    }
+
+    /// Whether clusters of visible points share visibility.
+    pub fn clusters_points(self) -> bool {
+        matches!(self, Self::Vpc | Self::Both)
+    }
+
+    /// Whether VPLs are clustered.
+    pub fn clusters_vpls(self) -> bool {
+        matches!(self, Self::Vplc | Self::Both)
     }
 }
 
@@ -83,6 +107,51 @@ pub struct Settings {
     pub clamp: Clamp,
     /// Samples (visible points) per pixel.
     pub samples: u32,
+    /// How visible points and VPLs are clustered, where the method does so.
+    pub clustering: Clustering,
+}
+
+/// K-means of the visible points and of the VPLs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clustering {
+    /// Clusters of visible points, C.
+    pub points: u32,
+    /// Clusters of VPLs, K_v.
+    pub vpls: u32,
+    /// Iterations over the points, at most.
+    pub point_iterations: u32,
+    /// Iterations over the VPLs, at most.
+    pub vpl_iterations: u32,
+    /// A point or VPL may join a cluster if the cosine of their normals is above this.
+    pub normal_threshold: f32,
+    /// Middle iterations over the points see one in so many.
+    pub stride: u32,
+    /// What stands for a cluster of VPLs.
+    pub representative: Representative,
+}
+
+/// What stands for a cluster of VPLs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Representative {
+    /// The mean of its members' positions and normals, as in the thesis.
+    Mean,
+    /// The member nearest to the mean.
+    #[default]
+    Member,
+}
+
+impl Default for Clustering {
+    fn default() -> Self {
+        Self {
+            points: 2600,
+            vpls: 400,
+            point_iterations: 4,
+            vpl_iterations: 2,
+            normal_threshold: 0.9,
+            stride: 1,
+            representative: Representative::default(),
+        }
+    }
 }
 
 impl Default for Settings {
@@ -95,6 +164,7 @@ impl Default for Settings {
             light_samples: None,
             clamp: Clamp::Auto,
             samples: 1,
+            clustering: Clustering::default(),
         }
     }
 }
@@ -102,7 +172,7 @@ impl Default for Settings {
 impl Settings {
     /// Whether there is indirect light to gather.
     pub fn traces_light_paths(&self) -> bool {
-        self.method == Method::Vpl && self.bounces != Bounces::Finite(0)
+        self.method.is_indirect() && self.bounces != Bounces::Finite(0)
     }
 
     /// Shadow rays to area lights from each visible point.

@@ -6,23 +6,8 @@ use std::time::Duration;
 
 use super::film::{BLOCK, TILE_BLOCKS, image_blocks};
 use super::{Direct, Prepared, Settings, kernels};
-use crate::gpu::{Bindings, CameraParams, GpuError, Kernel, Pass, PointRecord, Program};
+use crate::gpu::{Bindings, CameraParams, Gpu, GpuError, Kernel, Pass, PointRecord, Program};
 use crate::scene::Camera;
-
-/// Words of 32 VPLs that the bit matrix holds at a time: 8 MiB a tile. Also fixes the order
-/// of the sums, so it is no matter of tuning.
-pub const MATRIX_WORDS: u32 = 32;
-
-/// The VPLs of a frame on the device.
-#[derive(Debug)]
-pub struct Indirect {
-    /// How many there are.
-    pub count: u32,
-    /// Filled up to whole words.
-    pub buffer: wgpu::Buffer,
-    /// The bound on G, in normalised units.
-    pub bound: Option<f32>,
-}
 
 /// A kernel with its buffers bound, and the buffer of its parameters.
 #[derive(Debug)]
@@ -32,17 +17,54 @@ pub struct Stage {
     params: wgpu::Buffer,
 }
 
-/// The stages of a frame, and the buffers that the host clears or reads.
+/// The buffers of a tile.
 #[derive(Debug)]
-pub struct Stages {
+pub struct Buffers {
     /// Radiance, summed over the samples; in w how many of them hit something.
     pub film: wgpu::Buffer,
-    /// Indirect radiance that was reflected and that the clamp removed.
-    pub energy: Option<wgpu::Buffer>,
+    /// Visible points of one sample.
+    pub points: wgpu::Buffer,
     /// Irradiance of the kind of light being gathered.
     pub irradiance: Option<wgpu::Buffer>,
-    /// Shadow rays to VPLs.
-    pub counter: wgpu::Buffer,
+    /// Indirect radiance that was reflected and that the clamp removed.
+    pub energy: Option<wgpu::Buffer>,
+}
+
+/// A buffer and the name by which shaders know it.
+pub type Named<'a> = (&'a str, &'a wgpu::Buffer);
+
+impl Buffers {
+    fn new(gpu: &Gpu, points: usize, gathers: bool, clamps: bool) -> Result<Self, GpuError> {
+        Ok(Self {
+            film: gpu.storage::<[f32; 4]>("film", points)?,
+            points: gpu.storage::<PointRecord>("visible points", points)?,
+            irradiance: gathers
+                .then(|| gpu.storage::<[f32; 4]>("irradiance", points))
+                .transpose()?,
+            energy: clamps.then(|| gpu.storage::<[f32; 2]>("energy", points)).transpose()?,
+        })
+    }
+
+    /// These and the scene's, by name.
+    pub fn named<'a>(&'a self, prepared: &'a Prepared) -> Vec<Named<'a>> {
+        let mut named = vec![
+            ("nodes", &prepared.nodes),
+            ("triangles", &prepared.triangles),
+            ("materials", &prepared.materials),
+            ("points", &self.points),
+            ("film", &self.film),
+        ];
+        named.extend(self.irradiance.as_ref().map(|buffer| ("irradiance", buffer)));
+        named.extend(self.energy.as_ref().map(|buffer| ("energy", buffer)));
+        named
+    }
+}
+
+/// The stages of a frame but for those that gather indirect light.
+#[derive(Debug)]
+pub struct Stages {
+    /// What they work on.
+    pub buffers: Buffers,
     /// Camera rays.
     pub visible: Stage,
     /// The picture of a method without light.
@@ -53,10 +75,6 @@ pub struct Stages {
     pub direct_point: Option<Stage>,
     /// Direct light from area lights.
     pub direct_area: Option<Stage>,
-    /// Shadow rays between points and VPLs.
-    pub visibility: Option<Stage>,
-    /// Shading of points by VPLs.
-    pub shade: Option<Stage>,
     /// Irradiance to radiance.
     pub reflect: Option<Stage>,
     /// What the clamp removed.
@@ -64,7 +82,8 @@ pub struct Stages {
 }
 
 impl Stages {
-    /// Allocates the buffers of a tile and binds the kernels that a frame needs.
+    /// Allocates the buffers of a tile and binds the kernels that a frame needs; `indirect`
+    /// is whether there are VPLs, `clamps` whether they are bounded.
     ///
     /// # Errors
     /// The device refuses.
@@ -72,77 +91,54 @@ impl Stages {
         prepared: &Prepared,
         camera: &Camera,
         settings: &Settings,
-        indirect: Option<&Indirect>,
+        indirect: bool,
+        clamps: bool,
     ) -> Result<Self, GpuError> {
-        let gpu = &prepared.gpu;
         let points = (image_blocks(camera).min(TILE_BLOCKS) * BLOCK) as usize;
         let lit = settings.method.is_lit();
         let direct = lit && settings.direct == Direct::PerPixel;
-        let bounced = indirect.is_some();
-        let clamps = indirect.is_some_and(|indirect| indirect.bound.is_some());
-        let words = indirect.map_or(0, |i| i.count.div_ceil(32).min(MATRIX_WORDS)) as usize;
-
-        let film = gpu.storage::<[f32; 4]>("film", points)?;
-        let counter = gpu.storage::<u32>("ray counter", 3)?;
-        let records = gpu.storage::<PointRecord>("visible points", points)?;
-        let energy = clamps.then(|| gpu.storage::<[f32; 2]>("energy", points)).transpose()?;
-        let irradiance = (direct || bounced)
-            .then(|| gpu.storage::<[f32; 4]>("irradiance", points))
-            .transpose()?;
-        let bits =
-            bounced.then(|| gpu.storage::<u32>("visibility bits", points * words)).transpose()?;
-
-        let mut buffers = vec![
-            ("nodes", &prepared.nodes),
-            ("triangles", &prepared.triangles),
-            ("materials", &prepared.materials),
-            ("points", &records),
-            ("film", &film),
-            ("counter", &counter),
-        ];
-        buffers.extend(indirect.map(|indirect| ("vpls", &indirect.buffer)));
-        buffers.extend(energy.as_ref().map(|energy| ("energy", energy)));
-        buffers.extend(irradiance.as_ref().map(|irradiance| ("irradiance", irradiance)));
-        buffers.extend(bits.as_ref().map(|bits| ("bits", bits)));
-
-        let bind = |program: Program, lights: Option<&wgpu::Buffer>| {
-            let kernel = prepared.kernels.get(gpu, &program)?;
-            // The largest of the parameter records; a kernel reads its own.
-            let params = gpu.uniform::<CameraParams>("parameters")?;
-            let mut buffers = buffers.clone();
-            buffers.push(("params", &params));
-            buffers.extend(lights.map(|lights| ("lights", lights)));
-            let bindings = gpu.bind(&kernel, &buffers)?;
-            Ok::<_, GpuError>(Stage { kernel, bindings, params })
+        let buffers = Buffers::new(&prepared.gpu, points, direct || indirect, clamps)?;
+        let named = buffers.named(prepared);
+        let bind = |program: Program| Stage::new(prepared, &program, &named);
+        let when = |is: bool, program: Program| is.then(|| bind(program)).transpose();
+        let with_lights = |lights: &Option<wgpu::Buffer>, program: Program| {
+            let lights = lights.as_ref().filter(|_| direct);
+            let bind = |lights| Stage::new(prepared, &program, &[&named[..], &[lights]].concat());
+            lights.map(|lights| bind(("lights", lights))).transpose()
         };
-        let when = |is: bool, program: Program| is.then(|| bind(program, None)).transpose();
-        let point_lights = prepared.point_lights.as_ref().filter(|_| direct);
-        let area_lights = prepared.area_lights.as_ref().filter(|_| direct);
-        let subgroups = gpu.has_subgroups();
-        let show = kernels::show(settings.method);
+        let subgroups = prepared.gpu.has_subgroups();
+        let (point_lights, area_lights) = (&prepared.point_lights, &prepared.area_lights);
         Ok(Self {
-            visible: bind(kernels::visible_points(subgroups), None)?,
-            show: show.map(|program| bind(program, None)).transpose()?,
-            emit: when(lit && prepared.area_lights.is_some(), kernels::emit())?,
-            direct_point: point_lights
-                .map(|lights| bind(kernels::direct_point(subgroups), Some(lights)))
-                .transpose()?,
-            direct_area: area_lights
-                .map(|lights| bind(kernels::direct_area(subgroups), Some(lights)))
-                .transpose()?,
-            visibility: when(bounced, kernels::visibility_for(prepared))?,
-            shade: when(bounced, kernels::shade(subgroups, clamps))?,
-            reflect: when(direct || bounced, kernels::reflect())?,
+            visible: bind(kernels::visible_points(subgroups))?,
+            show: kernels::show(settings.method).map(bind).transpose()?,
+            emit: when(lit && area_lights.is_some(), kernels::emit())?,
+            direct_point: with_lights(point_lights, kernels::direct_point(subgroups))?,
+            direct_area: with_lights(area_lights, kernels::direct_area(subgroups))?,
+            reflect: when(direct || indirect, kernels::reflect())?,
             removed: when(clamps, kernels::removed())?,
-            film,
-            energy,
-            irradiance,
-            counter,
+            buffers,
         })
     }
 }
 
 impl Stage {
+    /// Binds buffers to the kernel of a program.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn new(
+        prepared: &Prepared,
+        program: &Program,
+        buffers: &[Named<'_>],
+    ) -> Result<Self, GpuError> {
+        let kernel = prepared.kernels.get(&prepared.gpu, program)?;
+        // The largest of the parameter records; a kernel reads its own.
+        let params = prepared.gpu.uniform::<CameraParams>("parameters")?;
+        let buffers = [buffers, &[("params", &params)]].concat();
+        let bindings = prepared.gpu.bind(&kernel, &buffers)?;
+        Ok(Self { kernel, bindings, params })
+    }
+
     /// Runs the stage over so many workgroups and waits for it.
     ///
     /// # Errors

@@ -1,22 +1,17 @@
 //! The passes of a frame, tile by tile: a tile is a run of 8 × 8 pixel blocks, small enough
 //! that no buffer meets an adapter's limits and no dispatch takes many seconds.
 
-use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 use super::film::{BLOCK, TILE_BLOCKS, develop, image_blocks};
-use super::stages::{Indirect, MATRIX_WORDS, Stage, Stages};
+use super::gather::{Gather, Indirect, dispatch_rays};
+use super::stages::{Stage, Stages};
+use super::visible::PointClusters;
 use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};
-use crate::gpu::{CameraParams, DirectParams, GpuError, ShadeParams, VisibilityParams};
+use crate::gpu::{CameraParams, DirectParams, GpuError, PointRecord};
 use crate::image::Image;
 use crate::sampling::{SURFACE_OFFSET, hash};
 use crate::scene::Camera;
-
-/// Shadow rays of a dispatch, at most, where they are fast and where they are slow.
-const DISPATCH_RAYS: u32 = 1 << 23;
-const DISPATCH_RAYS_LARGE: u32 = 1 << 21;
-/// Scenes of more BVH nodes are slow.
-const LARGE_SCENE_NODES: usize = 4096;
 
 /// Renders the tiles of one frame.
 #[derive(Debug)]
@@ -25,11 +20,21 @@ pub struct TileRenderer<'a> {
     camera: &'a Camera,
     settings: &'a Settings,
     seed: u32,
-    indirect: Option<Indirect>,
     stages: Stages,
-    /// Shadow rays that an invocation traces in a dispatch; halved where a driver cuts their
-    /// loops short.
-    rays_at_once: Cell<u32>,
+}
+
+/// The visible points of a whole frame in the order of tiles and samples, and their clusters.
+#[derive(Debug)]
+pub struct Clustered {
+    records: Vec<PointRecord>,
+    clusters: PointClusters,
+}
+
+impl Clustered {
+    /// How many clusters there are.
+    pub fn count(&self) -> u64 {
+        self.clusters.representatives.len() as u64
+    }
 }
 
 /// A run of blocks, and the sample of its pixels that is being taken.
@@ -56,11 +61,54 @@ impl<'a> TileRenderer<'a> {
         camera: &'a Camera,
         settings: &'a Settings,
         seed: u32,
-        indirect: Option<Indirect>,
+        indirect: Option<&Indirect>,
     ) -> Result<Self, GpuError> {
-        let stages = Stages::new(prepared, camera, settings, indirect.as_ref())?;
-        let rays_at_once = Cell::new(32);
-        Ok(Self { prepared, camera, settings, seed, indirect, stages, rays_at_once })
+        let clamps = indirect.is_some_and(|indirect| indirect.bound.is_some());
+        let stages = Stages::new(prepared, camera, settings, indirect.is_some(), clamps)?;
+        Ok(Self { prepared, camera, settings, seed, stages })
+    }
+
+    /// Finds all visible points and clusters them. `None` if nothing is seen.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn cluster(
+        &self,
+        phases: &mut Phases,
+        progress: Progress<'_>,
+    ) -> Result<Option<Clustered>, GpuError> {
+        let mut records = Vec::new();
+        progress(0.0, "visible points");
+        for tile in self.tiles() {
+            phases.visible_points +=
+                self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;
+            let start = Instant::now();
+            let points = tile.points() as usize;
+            let read = self.prepared.gpu.read(&self.stages.buffers.points, points)?;
+            records.extend::<Vec<PointRecord>>(read);
+            phases.readback += start.elapsed();
+        }
+        progress(0.0, "clusters");
+        let start = Instant::now();
+        let clusters = PointClusters::of(&records, &self.settings.clustering, self.seed);
+        phases.cluster_points += start.elapsed();
+        Ok(clusters.map(|clusters| Clustered { records, clusters }))
+    }
+
+    /// What gathers the VPLs: from each point by itself, or with clusters that have been
+    /// found.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn gather(
+        &self,
+        indirect: Indirect,
+        clustered: Option<&Clustered>,
+    ) -> Result<Gather<'a>, GpuError> {
+        let named = self.stages.buffers.named(self.prepared);
+        let points = image_blocks(self.camera).min(TILE_BLOCKS) * BLOCK;
+        let clusters = clustered.map(|clustered| &clustered.clusters);
+        Gather::new(self.prepared, indirect, clusters, &named, points)
     }
 
     /// Renders all tiles.
@@ -69,6 +117,8 @@ impl<'a> TileRenderer<'a> {
     /// The device fails.
     pub fn render(
         &self,
+        gather: Option<&Gather<'_>>,
+        clustered: Option<&Clustered>,
         phases: &mut Phases,
         counts: &mut Counts,
         progress: Progress<'_>,
@@ -80,30 +130,45 @@ impl<'a> TileRenderer<'a> {
         };
         let weight = unit / self.settings.samples as f32;
         let (mut reflected, mut removed) = (0.0, 0.0);
-        let all = image_blocks(self.camera);
-        for first_block in (0..all).step_by(TILE_BLOCKS as usize) {
-            let blocks = TILE_BLOCKS.min(all - first_block);
-            self.prepared.gpu.clear(&[&self.stages.film])?;
-            self.prepared.gpu.clear(&self.stages.energy.iter().collect::<Vec<_>>())?;
-            for sample in 0..self.settings.samples {
-                let tile = Tile { first_block, blocks, sample };
-                let done = f64::from(first_block) + f64::from(blocks * sample) / self.samples();
-                self.sample(tile, phases, counts, &|share, phase| {
-                    let share = share * f64::from(blocks) / self.samples();
-                    progress((done + share) / f64::from(all), phase);
-                })?;
+        let buffers = &self.stages.buffers;
+        let gpu = &self.prepared.gpu;
+        let tiles = self.tiles().count() as f64;
+        let mut first_point = 0;
+        for (index, tile) in self.tiles().enumerate() {
+            if tile.sample == 0 {
+                gpu.clear(&[&buffers.film])?;
+                gpu.clear(&buffers.energy.iter().collect::<Vec<_>>())?;
+            }
+            let points = tile.points() as usize;
+            if let (Some(clustered), Some(gather)) = (clustered, gather) {
+                let run = first_point..first_point + points;
+                gpu.write(&buffers.points, &clustered.records[run.clone()])?;
+                gather.set_clusters(&clustered.clusters.of_points[run])?;
+            } else {
+                phases.visible_points +=
+                    self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;
+            }
+            first_point += points;
+            self.sample(tile, gather, phases, counts, &|share, phase| {
+                progress((index as f64 + share) / tiles, phase);
+            })?;
+            if tile.sample + 1 < self.settings.samples {
+                continue;
             }
             let start = Instant::now();
-            let points = (blocks * BLOCK) as usize;
-            let film: Vec<[f32; 4]> = self.prepared.gpu.read(&self.stages.film, points)?;
-            counts.visible_points += develop(first_block, &film, weight, &mut image);
-            if let Some(energy) = &self.stages.energy {
-                for [kept, lost] in self.prepared.gpu.read::<[f32; 2]>(energy, points)? {
+            let film: Vec<[f32; 4]> = gpu.read(&buffers.film, points)?;
+            counts.visible_points += develop(tile.first_block, &film, weight, &mut image);
+            if let Some(energy) = &buffers.energy {
+                for [kept, lost] in gpu.read::<[f32; 2]>(energy, points)? {
                     reflected += f64::from(kept);
                     removed += f64::from(lost);
                 }
             }
             phases.readback += start.elapsed();
+        }
+        if let Some(clustered) = clustered {
+            let hit = |record: &&PointRecord| record.surface != PointRecord::NOTHING;
+            counts.visible_points = clustered.records.iter().filter(hit).count() as u64;
         }
         if removed > 0.0 {
             counts.clamped_fraction = removed / (reflected + removed);
@@ -113,18 +178,17 @@ impl<'a> TileRenderer<'a> {
         Ok(image)
     }
 
-    /// One sample of every pixel of a tile: camera rays, direct light, indirect light.
+    /// One sample of every pixel of a tile, from its visible points on: emission, direct light,
+    /// indirect light.
     fn sample(
         &self,
         tile: Tile,
+        gather: Option<&Gather<'_>>,
         phases: &mut Phases,
         counts: &mut Counts,
         progress: Progress<'_>,
     ) -> Result<(), GpuError> {
-        progress(0.0, "visible points");
         let groups = [tile.blocks, 1];
-        phases.visible_points +=
-            self.run(&self.stages.visible, &self.camera_params(tile), groups)?;
         for stage in self.stages.show.iter().chain(&self.stages.emit) {
             phases.shading += self.run(stage, &(), groups)?;
         }
@@ -134,9 +198,12 @@ impl<'a> TileRenderer<'a> {
             phases.direct += self.direct(tile)?;
             phases.direct += self.reflect(groups)?;
         }
-        if let Some(indirect) = &self.indirect {
+        if let Some(gather) = gather {
             self.clear_irradiance()?;
-            self.gather(tile, indirect, phases, counts, progress)?;
+            let points = tile.points();
+            let show = |share| progress(share, "indirect light");
+            counts.shadow_rays += gather.gather(points, phases, &show)?;
+            counts.shading_terms += u64::from(points) * u64::from(gather.vpls());
             phases.shading += self.reflect(groups)?;
             if let Some(stage) = &self.stages.removed {
                 phases.shading += self.run(stage, &(), groups)?;
@@ -148,7 +215,7 @@ impl<'a> TileRenderer<'a> {
     /// Direct light, in dispatches of a bounded number of shadow rays.
     fn direct(&self, tile: Tile) -> Result<Duration, GpuError> {
         let most = kernels::rays_at_once(self.prepared.bvh.nodes.len());
-        let slice = (self.dispatch_rays() / tile.points()).clamp(1, most);
+        let slice = (dispatch_rays(self.prepared) / tile.points()).clamp(1, most);
         let samples = self.settings.light_samples_per_point();
         let mut time = Duration::ZERO;
         let lights = &self.prepared.lights;
@@ -180,81 +247,6 @@ impl<'a> TileRenderer<'a> {
         Ok(time)
     }
 
-    /// Indirect light: for as many VPLs as the bit matrix holds, who sees whom, then shading.
-    fn gather(
-        &self,
-        tile: Tile,
-        indirect: &Indirect,
-        phases: &mut Phases,
-        counts: &mut Counts,
-        progress: Progress<'_>,
-    ) -> Result<(), GpuError> {
-        let (Some(visibility), Some(shade)) = (&self.stages.visibility, &self.stages.shade) else {
-            return Ok(());
-        };
-        let rows = tile.points();
-        let words = indirect.count.div_ceil(32);
-        let groups = self.point_groups(rows);
-        let slice = (self.dispatch_rays() / (32 * rows)).max(1);
-        for matrix_word in (0..words).step_by(MATRIX_WORDS as usize) {
-            let matrix_words = MATRIX_WORDS.min(words - matrix_word);
-            let start = Instant::now();
-            for offset in (0..matrix_words).step_by(slice as usize) {
-                let first_word = matrix_word + offset;
-                progress(f64::from(first_word) / f64::from(words), "visibility");
-                let params = VisibilityParams {
-                    rows,
-                    vpls: indirect.count,
-                    first_word,
-                    matrix_word,
-                    offset: SURFACE_OFFSET,
-                    nodes: self.prepared.bvh.nodes.len() as u32,
-                    first: 0,
-                    count: 32,
-                };
-                let across = [groups, slice.min(matrix_words - offset)];
-                counts.shadow_rays += self.trace(visibility, params, across)?;
-            }
-            phases.visibility += start.elapsed();
-            let params = ShadeParams {
-                points: rows,
-                rows,
-                matrix_word,
-                words: matrix_words,
-                bound: indirect.bound.unwrap_or(0.0),
-                pad: [0; 3],
-            };
-            phases.shading += self.run(shade, &params, [groups, 1])?;
-        }
-        counts.shading_terms += u64::from(rows) * u64::from(indirect.count);
-        Ok(())
-    }
-
-    /// Traces the shadow rays of some words, in as many dispatches as it takes for every loop
-    /// to come to its end: some drivers bound the rounds of an invocation's loops. Returns how
-    /// many rays there were.
-    fn trace(
-        &self,
-        visibility: &Stage,
-        params: VisibilityParams,
-        groups: [u32; 2],
-    ) -> Result<u64, GpuError> {
-        let gpu = &self.prepared.gpu;
-        loop {
-            let count = self.rays_at_once.get();
-            gpu.clear(&[&self.stages.counter])?;
-            for first in (0..32).step_by(count as usize) {
-                self.run(visibility, &VisibilityParams { first, count, ..params }, groups)?;
-            }
-            let counter: Vec<u32> = gpu.read(&self.stages.counter, 3)?;
-            match counter[..] {
-                [low, high, 0] => return Ok(u64::from(high) << 32 | u64::from(low)),
-                _ if count > 1 => self.rays_at_once.set(count / 2),
-                _ => return Err(GpuError::LoopCut),
-            }
-        }
-    }
-
     fn reflect(&self, groups: [u32; 2]) -> Result<Duration, GpuError> {
         self.stages
             .reflect
@@ -263,7 +255,7 @@ impl<'a> TileRenderer<'a> {
     }
 
     fn clear_irradiance(&self) -> Result<(), GpuError> {
-        self.prepared.gpu.clear(&self.stages.irradiance.iter().collect::<Vec<_>>())
+        self.prepared.gpu.clear(&self.stages.buffers.irradiance.iter().collect::<Vec<_>>())
     }
 
     fn run<P: bytemuck::Pod>(
@@ -294,21 +286,13 @@ impl<'a> TileRenderer<'a> {
         }
     }
 
-    /// Workgroups for so many points: with subgroups a lane has four.
-    fn point_groups(&self, points: u32) -> u32 {
-        match self.prepared.gpu.has_subgroups() {
-            true => points.div_ceil(4 * 64),
-            false => points.div_ceil(64),
-        }
-    }
-
-    fn dispatch_rays(&self) -> u32 {
-        let large = self.prepared.bvh.nodes.len() > LARGE_SCENE_NODES;
-        if large { DISPATCH_RAYS_LARGE } else { DISPATCH_RAYS }
-    }
-
-    fn samples(&self) -> f64 {
-        f64::from(self.settings.samples)
+    /// All tiles with all their samples, sample after sample.
+    fn tiles(&self) -> impl Iterator<Item = Tile> + use<> {
+        let (all, samples) = (image_blocks(self.camera), self.settings.samples);
+        (0..all).step_by(TILE_BLOCKS as usize).flat_map(move |first_block| {
+            let blocks = TILE_BLOCKS.min(all - first_block);
+            (0..samples).map(move |sample| Tile { first_block, blocks, sample })
+        })
     }
 }
 

@@ -6,6 +6,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::light::{Choice, LightRef, Lights};
+use super::merge::VirtualLight;
 use super::settings::Bounces;
 use crate::bvh::{Bvh, Hit, Ray};
 use crate::gpu::VplRecord;
@@ -136,28 +137,24 @@ fn leave(position: Vec3, normal: Vec3, direction: Vec3) -> Ray {
     Ray { origin: position + normal * SURFACE_OFFSET, direction, limit: f32::MAX }
 }
 
-/// The VPLs as the device wants them: with the intensity that their surface reflects, sorted
-/// along a Morton curve so that neighbours in a word are neighbours in space, and filled up
-/// to whole words of 32 with lights of no intensity.
-pub fn records(vpls: &[Vpl], scene: &Scene) -> Vec<VplRecord> {
-    let mut order: Vec<usize> = (0..vpls.len()).collect();
-    order.sort_by_key(|&i| (morton(vpls[i].position), i));
+/// The lights as the device wants them: sorted along a Morton curve so that neighbours in a
+/// word are neighbours in space, and filled up to whole words of 32 with lights of no
+/// intensity.
+pub fn records(lights: &[VirtualLight]) -> Vec<VplRecord> {
+    let mut order: Vec<usize> = (0..lights.len()).collect();
+    order.sort_by_key(|&i| (morton(lights[i].position), i));
     let mut records: Vec<VplRecord> = order
         .iter()
-        .map(|&i| {
-            let vpl = &vpls[i];
-            let intensity = vpl.flux * scene.materials[vpl.material as usize].albedo / PI;
-            VplRecord {
-                position: vpl.position.to_array(),
-                pad0: 0.0,
-                normal: vpl.normal.to_array(),
-                pad1: 0.0,
-                intensity: intensity.to_array(),
-                mean: intensity.element_sum() / 3.0,
-            }
+        .map(|&i| VplRecord {
+            position: lights[i].position.to_array(),
+            pad0: 0.0,
+            normal: lights[i].normal.to_array(),
+            pad1: 0.0,
+            intensity: lights[i].intensity.to_array(),
+            mean: lights[i].intensity.element_sum() / 3.0,
         })
         .collect();
-    records.resize(vpls.len().next_multiple_of(32), bytemuck::Zeroable::zeroed());
+    records.resize(lights.len().next_multiple_of(32), bytemuck::Zeroable::zeroed());
     records
 }
 

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::super::parse;
 use crate::error::Error;
-use crate::render::{Bounces, Clamp, Direct, Method, Settings};
+use crate::render::{Bounces, Clamp, Clustering, Direct, Method, Representative, Settings};
 
 #[derive(Debug, Args)]
 pub struct RenderArgs {
@@ -18,7 +18,7 @@ pub struct RenderArgs {
     #[arg(short, long = "output", value_name = "OUT", required = true)]
     pub outputs: Vec<PathBuf>,
 
-    /// What to show: vpl, direct, normal, depth, albedo
+    /// What to show: vpl, vplc, vpc, both, direct, normal, depth, albedo
     #[arg(long, default_value = "vpl", value_parser = parse::method)]
     pub method: Method,
 
@@ -32,6 +32,9 @@ pub struct RenderArgs {
     #[arg(long, value_name = "B", default_value = "2", value_parser = parse::bounces,
           allow_hyphen_values = true)]
     pub bounces: Bounces,
+
+    #[command(flatten)]
+    pub clustering: ClusteringArgs,
 
     /// Light straight from its source: per-pixel or off
     #[arg(long, default_value = "per-pixel", value_parser = parse::direct)]
@@ -122,6 +125,66 @@ impl RenderArgs {
             light_samples: self.light_samples,
             clamp: self.clamp,
             samples: self.samples,
+            clustering: self.clustering.settings(),
+        }
+    }
+}
+
+/// The options of methods vplc, vpc and both.
+#[derive(Debug, Args)]
+pub struct ClusteringArgs {
+    /// Clusters of visible points, each of which shares its visibility
+    #[arg(long, allow_negative_numbers = true, value_name = "C",
+          default_value_t = Clustering::default().points,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    pub point_clusters: u32,
+
+    /// Clusters of VPLs, each of which becomes one light
+    #[arg(long, allow_negative_numbers = true, value_name = "K",
+          default_value_t = Clustering::default().vpls,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    pub vpl_clusters: u32,
+
+    /// K-means iterations over the visible points, at most
+    #[arg(long, allow_negative_numbers = true, value_name = "N",
+          default_value_t = Clustering::default().point_iterations,
+          value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub point_iterations: u32,
+
+    /// K-means iterations over the VPLs, at most
+    #[arg(long, allow_negative_numbers = true, value_name = "N",
+          default_value_t = Clustering::default().vpl_iterations,
+          value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub vpl_iterations: u32,
+
+    /// Cosine of normals above which a point may join a cluster
+    #[arg(long, value_name = "T", allow_hyphen_values = true,
+          default_value_t = Clustering::default().normal_threshold,
+          value_parser = parse::normal_threshold)]
+    pub normal_threshold: f32,
+
+    /// Middle iterations see one visible point in so many
+    #[arg(long, allow_negative_numbers = true, value_name = "S",
+          default_value_t = Clustering::default().stride,
+          value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub kmeans_stride: u32,
+
+    /// What stands for a VPL cluster: mean or member
+    #[arg(long, value_name = "WHAT", default_value = "member",
+          value_parser = parse::representative)]
+    pub representative: Representative,
+}
+
+impl ClusteringArgs {
+    fn settings(&self) -> Clustering {
+        Clustering {
+            points: self.point_clusters,
+            vpls: self.vpl_clusters,
+            point_iterations: self.point_iterations,
+            vpl_iterations: self.vpl_iterations,
+            normal_threshold: self.normal_threshold,
+            stride: self.kmeans_stride,
+            representative: self.representative,
         }
     }
 }
@@ -130,21 +193,7 @@ impl RenderArgs {
 #[derive(Debug, Args)]
 pub struct LaterArgs {
     #[arg(long, hide = true)]
-    point_clusters: Option<String>,
-    #[arg(long, hide = true)]
-    vpl_clusters: Option<String>,
-    #[arg(long, hide = true)]
-    point_iterations: Option<String>,
-    #[arg(long, hide = true)]
-    vpl_iterations: Option<String>,
-    #[arg(long, hide = true, allow_negative_numbers = true)]
-    normal_threshold: Option<String>,
-    #[arg(long, hide = true)]
     fuzzy: Option<String>,
-    #[arg(long, hide = true)]
-    kmeans_stride: Option<String>,
-    #[arg(long, hide = true)]
-    representative: Option<String>,
     #[arg(long, hide = true)]
     merge: Option<String>,
     #[arg(long, hide = true)]
@@ -160,14 +209,7 @@ impl LaterArgs {
     /// One is given.
     pub fn check(&self) -> Result<(), Error> {
         let given = [
-            ("point-clusters", self.point_clusters.is_some()),
-            ("vpl-clusters", self.vpl_clusters.is_some()),
-            ("point-iterations", self.point_iterations.is_some()),
-            ("vpl-iterations", self.vpl_iterations.is_some()),
-            ("normal-threshold", self.normal_threshold.is_some()),
             ("fuzzy", self.fuzzy.is_some()),
-            ("kmeans-stride", self.kmeans_stride.is_some()),
-            ("representative", self.representative.is_some()),
             ("merge", self.merge.is_some()),
             ("interleave", self.interleave.is_some()),
             ("compensate", self.compensate),

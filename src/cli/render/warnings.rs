@@ -2,7 +2,7 @@
 
 use crate::cli::console;
 use crate::error::Error;
-use crate::render::{Bounces, Frame, Method, Settings};
+use crate::render::{Frame, Settings};
 use crate::scene::Warning;
 
 /// The warnings of a run; under `--strict` those that change the image end it.
@@ -48,7 +48,7 @@ impl Warnings {
 }
 
 fn missing_vpls(frame: &Frame, settings: &Settings) -> Option<String> {
-    let wanted = settings.method == Method::Vpl && settings.bounces != Bounces::Finite(0);
+    let wanted = settings.traces_light_paths();
     (wanted && frame.counts.vpls == 0).then(|| {
         "no light path left a VPL, so the image renders direct light alone; look whether the \
          lights reach a surface"
@@ -68,6 +68,7 @@ fn nonfinite_pixels(frame: &Frame) -> Option<String> {
 mod tests {
     use super::*;
     use crate::image::Image;
+    use crate::render::{Bounces, Method};
     use crate::render::{Counts, Phases};
 
     fn frame(vpls: u64, pixel: f32) -> Frame {

@@ -1,0 +1,263 @@
+//! Indirect light: a bit for each row (a visible point, or the representative of a cluster of
+//! them) and each VPL, then the sum over the VPLs at every point.
+
+use std::cell::Cell;
+use std::time::{Duration, Instant};
+
+use super::stages::{Named, Stage};
+use super::visible::PointClusters;
+use super::{Phases, Prepared, kernels};
+use crate::gpu::{GpuError, ShadeParams, VisibilityParams};
+use crate::sampling::SURFACE_OFFSET;
+
+/// Words of 32 VPLs in a chunk of the bit matrix: 8 MiB for a tile's points. Also fixes the
+/// order of the sums, so it is no matter of tuning.
+const CHUNK_WORDS: u32 = 32;
+/// Shadow rays of a dispatch, at most, where they are fast and where they are slow.
+const DISPATCH_RAYS: u32 = 1 << 23;
+const DISPATCH_RAYS_LARGE: u32 = 1 << 21;
+/// Scenes of more BVH nodes are slow.
+const LARGE_SCENE_NODES: usize = 4096;
+
+/// The VPLs of a frame on the device.
+#[derive(Debug)]
+pub struct Indirect {
+    /// How many there are.
+    pub count: u32,
+    /// Filled up to whole words.
+    pub buffer: wgpu::Buffer,
+    /// The bound on G, in normalised units.
+    pub bound: Option<f32>,
+}
+
+/// Who has the rows of the bit matrix.
+#[derive(Debug)]
+enum Rows {
+    /// Every point of the tile, traced sample by sample.
+    Points,
+    /// Clusters of the whole frame, traced once; and which of them the points of a tile are in.
+    Clusters { count: u32, of_points: wgpu::Buffer },
+}
+
+/// A chunk of the bit matrix, with what writes and reads it.
+#[derive(Debug)]
+struct Chunk {
+    visibility: Stage,
+    shade: Stage,
+}
+
+/// Gathers the indirect light of a frame.
+#[derive(Debug)]
+pub struct Gather<'a> {
+    prepared: &'a Prepared,
+    indirect: Indirect,
+    rows: Rows,
+    /// One for each chunk of clusters' rows; one that is used again for points'.
+    chunks: Vec<Chunk>,
+    counter: wgpu::Buffer,
+    /// Shadow rays that an invocation traces in a dispatch; halved where a driver cuts their
+    /// loops short.
+    rays_at_once: Cell<u32>,
+}
+
+/// How many shadow rays a dispatch may trace without taking many seconds.
+pub fn dispatch_rays(prepared: &Prepared) -> u32 {
+    let large = prepared.bvh.nodes.len() > LARGE_SCENE_NODES;
+    if large { DISPATCH_RAYS_LARGE } else { DISPATCH_RAYS }
+}
+
+impl<'a> Gather<'a> {
+    /// For tiles of at most `points` points, each of which traces its own rays or, with
+    /// `clusters`, shares those of its cluster's representative.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn new(
+        prepared: &'a Prepared,
+        indirect: Indirect,
+        clusters: Option<&PointClusters>,
+        tile: &[Named<'_>],
+        points: u32,
+    ) -> Result<Self, GpuError> {
+        let gpu = &prepared.gpu;
+        let counter = gpu.storage::<u32>("ray counter", 3)?;
+        let mut common: Vec<Named<'_>> = tile.to_vec();
+        common.extend([("vpls", &indirect.buffer), ("counter", &counter)]);
+
+        let shade =
+            kernels::shade(gpu.has_subgroups(), indirect.bound.is_some(), clusters.is_some());
+        let chunk = |rows: u32, more: &[Named<'_>], tracing: &[Named<'_>]| {
+            let words = CHUNK_WORDS.min(indirect.count.div_ceil(32));
+            let bits = gpu.storage::<u32>("visibility bits", (rows * words) as usize)?;
+            // The first buffer of a name counts.
+            let traced = [tracing, &common, &[("bits", &bits)]].concat();
+            let shaded = [more, &common, &[("bits", &bits)]].concat();
+            Ok::<_, GpuError>(Chunk {
+                visibility: Stage::new(prepared, &kernels::visibility_for(prepared), &traced)?,
+                shade: Stage::new(prepared, &shade, &shaded)?,
+            })
+        };
+        let (rows, chunks) = match clusters {
+            None => (Rows::Points, vec![chunk(points, &[], &[])?]),
+            Some(clusters) => {
+                let count = clusters.representatives.len() as u32;
+                let representatives =
+                    gpu.storage_of("representatives", &clusters.representatives)?;
+                let of_points = gpu.storage::<u32>("clusters of points", points as usize)?;
+                let chunks = (0..indirect.count.div_ceil(32))
+                    .step_by(CHUNK_WORDS as usize)
+                    .map(|_| {
+                        chunk(count, &[("cluster_of", &of_points)], &[("points", &representatives)])
+                    })
+                    .collect::<Result<_, _>>()?;
+                (Rows::Clusters { count, of_points }, chunks)
+            }
+        };
+        let rays_at_once = Cell::new(32);
+        Ok(Self { prepared, indirect, rows, chunks, counter, rays_at_once })
+    }
+
+    /// Traces the rows of the clusters, once a frame; nothing for points. Returns the rays.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn trace_clusters(
+        &self,
+        phases: &mut Phases,
+        progress: &dyn Fn(f64),
+    ) -> Result<u64, GpuError> {
+        let Rows::Clusters { count, .. } = self.rows else { return Ok(0) };
+        let mut rays = 0;
+        for (chunk, first_word) in self.chunks.iter().zip(self.chunk_words()) {
+            rays += self.trace(&chunk.visibility, count, first_word, phases, progress)?;
+        }
+        Ok(rays)
+    }
+
+    /// Tells which cluster each point of the tile is in.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn set_clusters(&self, clusters: &[u32]) -> Result<(), GpuError> {
+        match &self.rows {
+            Rows::Points => Ok(()),
+            Rows::Clusters { of_points, .. } => self.prepared.gpu.write(of_points, clusters),
+        }
+    }
+
+    /// Adds the irradiance of all VPLs to the points of a tile. Returns the rays traced.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn gather(
+        &self,
+        points: u32,
+        phases: &mut Phases,
+        progress: &dyn Fn(f64),
+    ) -> Result<u64, GpuError> {
+        let mut rays = 0;
+        for (index, matrix_word) in self.chunk_words().enumerate() {
+            let (chunk, rows) = match self.rows {
+                Rows::Clusters { count, .. } => (&self.chunks[index], count),
+                Rows::Points => {
+                    let chunk = &self.chunks[0];
+                    rays += self.trace(&chunk.visibility, points, matrix_word, phases, progress)?;
+                    (chunk, points)
+                }
+            };
+            let params = ShadeParams {
+                points,
+                rows,
+                matrix_word,
+                words: CHUNK_WORDS.min(self.words() - matrix_word),
+                bound: self.indirect.bound.unwrap_or(0.0),
+                pad: [0; 3],
+            };
+            let groups = [self.point_groups(points), 1];
+            phases.shading += chunk.shade.run(self.prepared, &params, groups)?;
+        }
+        Ok(rays)
+    }
+
+    /// How many VPLs are gathered.
+    pub fn vpls(&self) -> u32 {
+        self.indirect.count
+    }
+
+    /// Traces the shadow rays of a chunk, in dispatches of a bounded number.
+    fn trace(
+        &self,
+        visibility: &Stage,
+        rows: u32,
+        matrix_word: u32,
+        phases: &mut Phases,
+        progress: &dyn Fn(f64),
+    ) -> Result<u64, GpuError> {
+        let start = Instant::now();
+        let slice = (dispatch_rays(self.prepared) / (32 * rows)).max(1);
+        let words = CHUNK_WORDS.min(self.words() - matrix_word);
+        let mut rays = 0;
+        for offset in (0..words).step_by(slice as usize) {
+            let first_word = matrix_word + offset;
+            progress(f64::from(first_word) / f64::from(self.words()));
+            let params = VisibilityParams {
+                rows,
+                vpls: self.indirect.count,
+                first_word,
+                matrix_word,
+                offset: SURFACE_OFFSET,
+                nodes: self.prepared.bvh.nodes.len() as u32,
+                first: 0,
+                count: 32,
+            };
+            let groups = [self.point_groups(rows), slice.min(words - offset)];
+            rays += self.trace_words(visibility, params, groups)?;
+        }
+        phases.visibility += start.elapsed();
+        Ok(rays)
+    }
+
+    /// Traces the shadow rays of some words, in as many dispatches as it takes for every loop
+    /// to come to its end: some drivers bound the rounds of an invocation's loops. Returns how
+    /// many rays there were.
+    fn trace_words(
+        &self,
+        visibility: &Stage,
+        params: VisibilityParams,
+        groups: [u32; 2],
+    ) -> Result<u64, GpuError> {
+        let gpu = &self.prepared.gpu;
+        loop {
+            let count = self.rays_at_once.get();
+            gpu.clear(&[&self.counter])?;
+            for first in (0..32).step_by(count as usize) {
+                let params = VisibilityParams { first, count, ..params };
+                let _: Duration = visibility.run(self.prepared, &params, groups)?;
+            }
+            let counter: Vec<u32> = gpu.read(&self.counter, 3)?;
+            match counter[..] {
+                [low, high, 0] => return Ok(u64::from(high) << 32 | u64::from(low)),
+                _ if count > 1 => self.rays_at_once.set(count / 2),
+                _ => return Err(GpuError::LoopCut),
+            }
+        }
+    }
+
+    /// Words of 32 VPLs.
+    fn words(&self) -> u32 {
+        self.indirect.count.div_ceil(32)
+    }
+
+    /// The first word of each chunk.
+    fn chunk_words(&self) -> impl Iterator<Item = u32> + use<> {
+        (0..self.words()).step_by(CHUNK_WORDS as usize)
+    }
+
+    /// Workgroups for so many points: with subgroups a lane has four.
+    fn point_groups(&self, points: u32) -> u32 {
+        match self.prepared.gpu.has_subgroups() {
+            true => points.div_ceil(4 * 64),
+            false => points.div_ceil(64),
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Clusters of VPLs: each becomes one light that stands for its members.
+
+use std::f32::consts::PI;
+
+use glam::Vec3;
+
+use super::settings::{Clustering, Representative};
+use super::vpl::Vpl;
+use crate::cluster::{Options, Points, kmeans};
+use crate::scene::Scene;
+
+/// A diffuse light of a point and a side: what is gathered.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VirtualLight {
+    /// Where it is.
+    pub position: Vec3,
+    /// Unit normal of the side that it lights.
+    pub normal: Vec3,
+    /// Intensity along the normal, per channel: exitant flux over π.
+    pub intensity: Vec3,
+}
+
+impl VirtualLight {
+    /// The light that a VPL's surface reflects.
+    pub fn of(vpl: &Vpl, scene: &Scene) -> Self {
+        let albedo = scene.materials[vpl.material as usize].albedo;
+        let intensity = vpl.flux * albedo / PI;
+        Self { position: vpl.position, normal: vpl.normal, intensity }
+    }
+}
+
+/// Merges lights by position, where their normals agree. The exitant flux of a cluster is the
+/// sum over its members, channel by channel, so that members of different albedo keep their
+/// colour; it is summed in f64 and in the order of the lights.
+pub fn merge(lights: &[VirtualLight], clustering: &Clustering, seed: u32) -> Vec<VirtualLight> {
+    let positions: Vec<Vec3> = lights.iter().map(|light| light.position).collect();
+    let normals: Vec<Vec3> = lights.iter().map(|light| light.normal).collect();
+    let found = kmeans(
+        &Points { positions: &positions, normals: &normals },
+        &Options {
+            clusters: clustering.vpls,
+            iterations: clustering.vpl_iterations,
+            normal_threshold: clustering.normal_threshold,
+            stride: 1,
+            seed,
+        },
+    );
+    let mut intensities = vec![glam::DVec3::ZERO; found.clusters.len()];
+    for (light, &cluster) in lights.iter().zip(&found.assignment) {
+        intensities[cluster as usize] += light.intensity.as_dvec3();
+    }
+    let merged = found.clusters.iter().zip(intensities).map(|(cluster, intensity)| {
+        let member = &lights[cluster.representative as usize];
+        let (position, normal) = match clustering.representative {
+            Representative::Mean => (cluster.position, cluster.normal),
+            Representative::Member => (member.position, member.normal),
+        };
+        VirtualLight { position, normal, intensity: intensity.as_vec3() }
+    });
+    merged.collect()
+}
