@@ -2,6 +2,7 @@
 
 mod film;
 mod gather;
+mod indirect;
 pub mod kernels;
 mod light;
 mod merge;
@@ -20,11 +21,11 @@ use crate::scene::{Camera, Scene};
 
 pub use kernels::{Kernels, all_programs};
 pub use light::Lights;
-pub use settings::{Bounces, Clamp, Clustering, Direct, Method, Representative, Settings};
+pub use settings::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
 pub use vpl::{LightPaths, Vpl};
 
-use gather::Indirect;
-use merge::VirtualLight;
+use indirect::Indirect;
+use merge::{VirtualLight, VplClusters};
 use tile::{Clustered, TileRenderer};
 
 /// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels
@@ -204,14 +205,20 @@ pub fn frame(
         vpls.iter().map(|vpl| VirtualLight::of(vpl, &prepared.scene)).collect();
     phases.vpls = start.elapsed();
 
+    // Lights that share the visibility of a few.
+    let mut columns = None;
     if settings.method.clusters_vpls() {
         let start = Instant::now();
-        lights = merge::merge(&lights, &settings.clustering, seed);
-        counts.vpl_clusters = Some(lights.len() as u64);
+        let clusters = VplClusters::of(&lights, &settings.clustering, seed);
+        counts.vpl_clusters = Some(clusters.lights.len() as u64);
+        match settings.clustering.merge {
+            Merge::Light => lights = clusters.lights,
+            Merge::Visibility => columns = Some(clusters),
+        }
         phases.cluster_vpls = start.elapsed();
     }
 
-    let indirect = indirect(prepared, &lights, bound)?;
+    let indirect = Indirect::new(&prepared.gpu, &lights, columns.as_ref(), bound)?;
     let renderer = TileRenderer::new(prepared, camera, settings, seed, indirect.as_ref())?;
     let clustered = match settings.method.clusters_points() && indirect.is_some() {
         true => renderer.cluster(&mut phases, progress)?,
@@ -255,17 +262,4 @@ fn bound(prepared: &Prepared, settings: &Settings, vpls: &[Vpl]) -> Option<f32> 
         Clamp::At(bound) => Some((bound * scale * scale) as f32),
         Clamp::Auto => vpl::density_bound(vpls, &prepared.scene),
     }
-}
-
-/// The lights on the device; none if there are none.
-fn indirect(
-    prepared: &Prepared,
-    lights: &[VirtualLight],
-    bound: Option<f32>,
-) -> Result<Option<Indirect>, GpuError> {
-    if lights.is_empty() {
-        return Ok(None);
-    }
-    let buffer = prepared.gpu.storage_of("VPLs", &vpl::records(lights))?;
-    Ok(Some(Indirect { count: lights.len() as u32, buffer, bound }))
 }

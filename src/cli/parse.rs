@@ -1,7 +1,7 @@
 //! The values of options, and how a wrong one is told.
 
 use crate::image::Tone;
-use crate::render::{Bounces, Clamp, Direct, Method, Representative};
+use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
 
 /// The methods there are.
 const METHODS: [Method; 8] = [
@@ -59,6 +59,14 @@ pub fn representative(text: &str) -> Result<Representative, String> {
         "mean" => Ok(Representative::Mean),
         "member" => Ok(Representative::Member),
         _ => Err("give mean or member".to_owned()),
+    }
+}
+
+pub fn merge(text: &str) -> Result<Merge, String> {
+    match text {
+        "light" => Ok(Merge::Light),
+        "visibility" => Ok(Merge::Visibility),
+        _ => Err("give light or visibility".to_owned()),
     }
 }
 

@@ -209,6 +209,20 @@ pub struct VisibilityParams {
     pub count: u32,
 }
 
+/// Parameters of the pass that gives VPLs the visibility of their clusters.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct ExpandParams {
+    /// Rows of the bit matrix.
+    pub rows: u32,
+    /// The word of the VPL buffer that is the matrix's first.
+    pub matrix_word: u32,
+    /// Words in the matrix.
+    pub words: u32,
+    /// Unused.
+    pub pad: u32,
+}
+
 /// Parameters of the shading pass.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]

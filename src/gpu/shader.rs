@@ -51,6 +51,7 @@ pub mod module {
         PACKET_SHAFT = "packet_shaft";
         PACKET_RAYS = "packet_rays";
         VISIBILITY_PACKET = "visibility_packet" for "indirect light";
+        EXPAND = "expand" for "visibility shared by VPL clusters";
         ROW_POINT = "row_point";
         ROW_CLUSTER = "row_cluster" for "clusters of visible points";
         GATHER = "gather" for "indirect light";

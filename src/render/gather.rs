@@ -4,10 +4,11 @@
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
+use super::indirect::Indirect;
 use super::stages::{Named, Stage};
 use super::visible::PointClusters;
 use super::{Phases, Prepared, kernels};
-use crate::gpu::{GpuError, ShadeParams, VisibilityParams};
+use crate::gpu::{ExpandParams, GpuError, ShadeParams, VisibilityParams};
 use crate::sampling::SURFACE_OFFSET;
 
 /// Words of 32 VPLs in a chunk of the bit matrix: 8 MiB for a tile's points. Also fixes the
@@ -18,17 +19,6 @@ const DISPATCH_RAYS: u32 = 1 << 23;
 const DISPATCH_RAYS_LARGE: u32 = 1 << 21;
 /// Scenes of more BVH nodes are slow.
 const LARGE_SCENE_NODES: usize = 4096;
-
-/// The VPLs of a frame on the device.
-#[derive(Debug)]
-pub struct Indirect {
-    /// How many there are.
-    pub count: u32,
-    /// Filled up to whole words.
-    pub buffer: wgpu::Buffer,
-    /// The bound on G, in normalised units.
-    pub bound: Option<f32>,
-}
 
 /// Who has the rows of the bit matrix.
 #[derive(Debug)]
@@ -42,7 +32,8 @@ enum Rows {
 /// A chunk of the bit matrix, with what writes and reads it.
 #[derive(Debug)]
 struct Chunk {
-    visibility: Stage,
+    /// Traces its bits, or copies them from the columns.
+    fill: Stage,
     shade: Stage,
 }
 
@@ -52,6 +43,8 @@ pub struct Gather<'a> {
     prepared: &'a Prepared,
     indirect: Indirect,
     rows: Rows,
+    /// Traces the columns that VPLs share, if they do.
+    columns: Option<Stage>,
     /// One for each chunk of clusters' rows; one that is used again for points'.
     chunks: Vec<Chunk>,
     counter: wgpu::Buffer,
@@ -86,35 +79,65 @@ impl<'a> Gather<'a> {
 
         let shade =
             kernels::shade(gpu.has_subgroups(), indirect.bound.is_some(), clusters.is_some());
-        let chunk = |rows: u32, more: &[Named<'_>], tracing: &[Named<'_>]| {
-            let words = CHUNK_WORDS.min(indirect.count.div_ceil(32));
-            let bits = gpu.storage::<u32>("visibility bits", (rows * words) as usize)?;
-            // The first buffer of a name counts.
-            let traced = [tracing, &common, &[("bits", &bits)]].concat();
-            let shaded = [more, &common, &[("bits", &bits)]].concat();
-            Ok::<_, GpuError>(Chunk {
-                visibility: Stage::new(prepared, &kernels::visibility_for(prepared), &traced)?,
-                shade: Stage::new(prepared, &shade, &shaded)?,
-            })
-        };
-        let (rows, chunks) = match clusters {
-            None => (Rows::Points, vec![chunk(points, &[], &[])?]),
+        let visibility = kernels::visibility_for(prepared);
+        let (rows, rows_count, row_buffers, traced_points) = match clusters {
+            None => (Rows::Points, points, None, None),
             Some(clusters) => {
                 let count = clusters.representatives.len() as u32;
-                let representatives =
-                    gpu.storage_of("representatives", &clusters.representatives)?;
+                let traced = gpu.storage_of("representatives", &clusters.representatives)?;
                 let of_points = gpu.storage::<u32>("clusters of points", points as usize)?;
-                let chunks = (0..indirect.count.div_ceil(32))
-                    .step_by(CHUNK_WORDS as usize)
-                    .map(|_| {
-                        chunk(count, &[("cluster_of", &of_points)], &[("points", &representatives)])
-                    })
-                    .collect::<Result<_, _>>()?;
-                (Rows::Clusters { count, of_points }, chunks)
+                let rows = Rows::Clusters { count, of_points: of_points.clone() };
+                (rows, count, Some(of_points), Some(traced))
             }
         };
+        // The first buffer of a name counts.
+        let mut tracing: Vec<Named<'_>> = Vec::new();
+        tracing.extend(traced_points.as_ref().map(|points| ("points", points)));
+        let mut shading = common.clone();
+        shading.extend(row_buffers.as_ref().map(|rows| ("cluster_of", rows)));
+
+        let matrix = |words: u32| {
+            gpu.storage::<u32>("visibility bits", rows_count as usize * words as usize)
+        };
+        let column_bits = match &indirect.columns {
+            Some(columns) => Some(matrix(columns.count.div_ceil(32))?),
+            None => None,
+        };
+        let columns = match (&indirect.columns, &column_bits) {
+            (Some(columns), Some(bits)) => {
+                let buffers = [("vpls", &columns.buffer), ("bits", bits)];
+                let buffers = [&tracing[..], &buffers, &common].concat();
+                Some(Stage::new(prepared, &visibility, &buffers)?)
+            }
+            _ => None,
+        };
+        let words = indirect.count.div_ceil(32);
+        let chunk = || {
+            let bits = matrix(CHUNK_WORDS.min(words))?;
+            let bits = ("bits", &bits);
+            let fill = match (&indirect.columns, &column_bits) {
+                (Some(columns), Some(column_bits)) => {
+                    let of_vpls = ("column_of", &columns.of_vpls);
+                    let buffers = [bits, ("column_bits", column_bits), of_vpls];
+                    Stage::new(prepared, &kernels::expand(), &buffers)?
+                }
+                _ => {
+                    let buffers = [&tracing[..], &[bits], &common].concat();
+                    Stage::new(prepared, &visibility, &buffers)?
+                }
+            };
+            let shade = Stage::new(prepared, &shade, &[&[bits], &shading[..]].concat())?;
+            Ok::<_, GpuError>(Chunk { fill, shade })
+        };
+        let chunks = match clusters {
+            None => vec![chunk()?],
+            Some(_) => (0..words)
+                .step_by(CHUNK_WORDS as usize)
+                .map(|_| chunk())
+                .collect::<Result<_, _>>()?,
+        };
         let rays_at_once = Cell::new(32);
-        Ok(Self { prepared, indirect, rows, chunks, counter, rays_at_once })
+        Ok(Self { prepared, indirect, rows, columns, chunks, counter, rays_at_once })
     }
 
     /// Traces the rows of the clusters, once a frame; nothing for points. Returns the rays.
@@ -127,9 +150,9 @@ impl<'a> Gather<'a> {
         progress: &dyn Fn(f64),
     ) -> Result<u64, GpuError> {
         let Rows::Clusters { count, .. } = self.rows else { return Ok(0) };
-        let mut rays = 0;
+        let mut rays = self.trace_columns(count, phases, progress)?;
         for (chunk, first_word) in self.chunks.iter().zip(self.chunk_words()) {
-            rays += self.trace(&chunk.visibility, count, first_word, phases, progress)?;
+            rays += self.fill(chunk, count, first_word, phases, progress)?;
         }
         Ok(rays)
     }
@@ -155,16 +178,18 @@ impl<'a> Gather<'a> {
         phases: &mut Phases,
         progress: &dyn Fn(f64),
     ) -> Result<u64, GpuError> {
-        let mut rays = 0;
+        let mut rays = match self.rows {
+            Rows::Points => self.trace_columns(points, phases, progress)?,
+            Rows::Clusters { .. } => 0,
+        };
         for (index, matrix_word) in self.chunk_words().enumerate() {
             let (chunk, rows) = match self.rows {
                 Rows::Clusters { count, .. } => (&self.chunks[index], count),
-                Rows::Points => {
-                    let chunk = &self.chunks[0];
-                    rays += self.trace(&chunk.visibility, points, matrix_word, phases, progress)?;
-                    (chunk, points)
-                }
+                Rows::Points => (&self.chunks[0], points),
             };
+            if matches!(self.rows, Rows::Points) {
+                rays += self.fill(chunk, rows, matrix_word, phases, progress)?;
+            }
             let params = ShadeParams {
                 points,
                 rows,
@@ -184,33 +209,70 @@ impl<'a> Gather<'a> {
         self.indirect.count
     }
 
-    /// Traces the shadow rays of a chunk, in dispatches of a bounded number.
-    fn trace(
+    /// Traces the columns that VPLs share, if they do. Returns the rays.
+    fn trace_columns(
         &self,
-        visibility: &Stage,
+        rows: u32,
+        phases: &mut Phases,
+        progress: &dyn Fn(f64),
+    ) -> Result<u64, GpuError> {
+        let (Some(stage), Some(columns)) = (&self.columns, &self.indirect.columns) else {
+            return Ok(0);
+        };
+        let words = columns.count.div_ceil(32);
+        let params = VisibilityParams { vpls: columns.count, ..self.visibility_params(rows, 0) };
+        self.trace(stage, params, words, phases, progress)
+    }
+
+    /// Writes the bits of a chunk: traces them, or copies them from the columns.
+    fn fill(
+        &self,
+        chunk: &Chunk,
         rows: u32,
         matrix_word: u32,
         phases: &mut Phases,
         progress: &dyn Fn(f64),
     ) -> Result<u64, GpuError> {
-        let start = Instant::now();
-        let slice = (dispatch_rays(self.prepared) / (32 * rows)).max(1);
         let words = CHUNK_WORDS.min(self.words() - matrix_word);
+        if self.columns.is_none() {
+            let params = self.visibility_params(rows, matrix_word);
+            return self.trace(&chunk.fill, params, words, phases, progress);
+        }
+        let params = ExpandParams { rows, matrix_word, words, pad: 0 };
+        phases.visibility += chunk.fill.run(self.prepared, &params, [rows.div_ceil(64), words])?;
+        Ok(0)
+    }
+
+    fn visibility_params(&self, rows: u32, matrix_word: u32) -> VisibilityParams {
+        VisibilityParams {
+            rows,
+            vpls: self.indirect.count,
+            first_word: matrix_word,
+            matrix_word,
+            offset: SURFACE_OFFSET,
+            nodes: self.prepared.bvh.nodes.len() as u32,
+            first: 0,
+            count: 32,
+        }
+    }
+
+    /// Traces the shadow rays of so many words, in dispatches of a bounded number.
+    fn trace(
+        &self,
+        visibility: &Stage,
+        params: VisibilityParams,
+        words: u32,
+        phases: &mut Phases,
+        progress: &dyn Fn(f64),
+    ) -> Result<u64, GpuError> {
+        let start = Instant::now();
+        let slice = (dispatch_rays(self.prepared) / (32 * params.rows)).max(1);
         let mut rays = 0;
         for offset in (0..words).step_by(slice as usize) {
-            let first_word = matrix_word + offset;
+            let first_word = params.matrix_word + offset;
             progress(f64::from(first_word) / f64::from(self.words()));
-            let params = VisibilityParams {
-                rows,
-                vpls: self.indirect.count,
-                first_word,
-                matrix_word,
-                offset: SURFACE_OFFSET,
-                nodes: self.prepared.bvh.nodes.len() as u32,
-                first: 0,
-                count: 32,
-            };
-            let groups = [self.point_groups(rows), slice.min(words - offset)];
+            let groups = [self.point_groups(params.rows), slice.min(words - offset)];
+            let params = VisibilityParams { first_word, ..params };
             rays += self.trace_words(visibility, params, groups)?;
         }
         phases.visibility += start.elapsed();

@@ -4,8 +4,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
-    BITS, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, GATHER, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED,
-    PAIR_UNBOUNDED, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SHADE,
+    BITS, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, EXPAND, GATHER, PACKET_RAYS, PACKET_SHAFT,
+    PAIR_BOUNDED, PAIR_UNBOUNDED, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SHADE,
     SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES,
     VISIBILITY, VISIBILITY_PACKET, VISIBLE,
 };
@@ -85,6 +85,11 @@ pub fn visibility_for(prepared: &Prepared) -> Program {
     visibility(Tracing::of(prepared))
 }
 
+/// Visibility of VPLs from that of their clusters.
+pub fn expand() -> Program {
+    Program { label: "expansion", modules: vec![&EXPAND] }
+}
+
 /// Shading of points by VPLs; `clustered` points share the rows of the bit matrix.
 pub fn shade(subgroups: bool, bounded: bool, clustered: bool) -> Program {
     let pair = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
@@ -147,6 +152,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
             reflect(),
         ]);
         programs.extend(bounded.then(removed));
+        programs.extend(settings.shares_columns().then(expand));
     }
     programs
 }
@@ -194,7 +200,7 @@ impl Kernels {
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![emit(), reflect(), removed()];
+    let mut programs = vec![emit(), reflect(), removed(), expand()];
     programs.extend([Tracing::Single, Tracing::Shaft, Tracing::Rays].map(visibility));
     for subgroups in [false, true] {
         programs.push(visible_points(subgroups));

@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::settings::{Clustering, Representative};
 use super::vpl::Vpl;
@@ -29,33 +29,43 @@ impl VirtualLight {
     }
 }
 
-/// Merges lights by position, where their normals agree. The exitant flux of a cluster is the
-/// sum over its members, channel by channel, so that members of different albedo keep their
-/// colour; it is summed in f64 and in the order of the lights.
-pub fn merge(lights: &[VirtualLight], clustering: &Clustering, seed: u32) -> Vec<VirtualLight> {
-    let positions: Vec<Vec3> = lights.iter().map(|light| light.position).collect();
-    let normals: Vec<Vec3> = lights.iter().map(|light| light.normal).collect();
-    let found = kmeans(
-        &Points { positions: &positions, normals: &normals },
-        &Options {
-            clusters: clustering.vpls,
-            iterations: clustering.vpl_iterations,
-            normal_threshold: clustering.normal_threshold,
-            stride: 1,
-            seed,
-        },
-    );
-    let mut intensities = vec![glam::DVec3::ZERO; found.clusters.len()];
-    for (light, &cluster) in lights.iter().zip(&found.assignment) {
-        intensities[cluster as usize] += light.intensity.as_dvec3();
+/// Clusters of lights by position, where their normals agree.
+#[derive(Debug, Clone)]
+pub struct VplClusters {
+    /// A light for each cluster. Its exitant flux is the sum over the members, channel by
+    /// channel, so that members of different albedo keep their colour.
+    pub lights: Vec<VirtualLight>,
+    /// The cluster of each light.
+    pub of_lights: Vec<u32>,
+}
+
+impl VplClusters {
+    /// Clusters lights. Sums are in f64 and in the order of the lights.
+    pub fn of(lights: &[VirtualLight], clustering: &Clustering, seed: u32) -> Self {
+        let positions: Vec<Vec3> = lights.iter().map(|light| light.position).collect();
+        let normals: Vec<Vec3> = lights.iter().map(|light| light.normal).collect();
+        let found = kmeans(
+            &Points { positions: &positions, normals: &normals },
+            &Options {
+                clusters: clustering.vpls,
+                iterations: clustering.vpl_iterations,
+                normal_threshold: clustering.normal_threshold,
+                stride: 1,
+                seed,
+            },
+        );
+        let mut intensities = vec![DVec3::ZERO; found.clusters.len()];
+        for (light, &cluster) in lights.iter().zip(&found.assignment) {
+            intensities[cluster as usize] += light.intensity.as_dvec3();
+        }
+        let merged = found.clusters.iter().zip(intensities).map(|(cluster, intensity)| {
+            let member = &lights[cluster.representative as usize];
+            let (position, normal) = match clustering.representative {
+                Representative::Mean => (cluster.position, cluster.normal),
+                Representative::Member => (member.position, member.normal),
+            };
+            VirtualLight { position, normal, intensity: intensity.as_vec3() }
+        });
+        Self { lights: merged.collect(), of_lights: found.assignment }
     }
-    let merged = found.clusters.iter().zip(intensities).map(|(cluster, intensity)| {
-        let member = &lights[cluster.representative as usize];
-        let (position, normal) = match clustering.representative {
-            Representative::Mean => (cluster.position, cluster.normal),
-            Representative::Member => (member.position, member.normal),
-        };
-        VirtualLight { position, normal, intensity: intensity.as_vec3() }
-    });
-    merged.collect()
 }

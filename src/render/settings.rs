@@ -128,6 +128,18 @@ pub struct Clustering {
     pub stride: u32,
     /// What stands for a cluster of VPLs.
     pub representative: Representative,
+    /// What a cluster of VPLs shares.
+    pub merge: Merge,
+}
+
+/// What a cluster of VPLs shares.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Merge {
+    /// One light stands for all members, as in the thesis.
+    #[default]
+    Light,
+    /// Visibility alone: every VPL is gathered.
+    Visibility,
 }
 
 /// What stands for a cluster of VPLs.
@@ -150,6 +162,7 @@ impl Default for Clustering {
             normal_threshold: 0.9,
             stride: 1,
             representative: Representative::default(),
+            merge: Merge::default(),
         }
     }
 }
@@ -173,6 +186,11 @@ impl Settings {
     /// Whether there is indirect light to gather.
     pub fn traces_light_paths(&self) -> bool {
         self.method.is_indirect() && self.bounces != Bounces::Finite(0)
+    }
+
+    /// Whether VPLs share the visibility of their cluster.
+    pub fn shares_columns(&self) -> bool {
+        self.method.clusters_vpls() && self.clustering.merge == Merge::Visibility
     }
 
     /// Shadow rays to area lights from each visible point.

@@ -4,7 +4,8 @@
 use std::time::{Duration, Instant};
 
 use super::film::{BLOCK, TILE_BLOCKS, develop, image_blocks};
-use super::gather::{Gather, Indirect, dispatch_rays};
+use super::gather::{Gather, dispatch_rays};
+use super::indirect::Indirect;
 use super::stages::{Stage, Stages};
 use super::visible::PointClusters;
 use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};

@@ -6,10 +6,8 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::light::{Choice, LightRef, Lights};
-use super::merge::VirtualLight;
 use super::settings::Bounces;
 use crate::bvh::{Bvh, Hit, Ray};
-use crate::gpu::VplRecord;
 use crate::sampling::{
     SURFACE_OFFSET, Sequence, cosine_hemisphere, uniform_sphere, uniform_triangle,
 };
@@ -137,27 +135,6 @@ fn leave(position: Vec3, normal: Vec3, direction: Vec3) -> Ray {
     Ray { origin: position + normal * SURFACE_OFFSET, direction, limit: f32::MAX }
 }
 
-/// The lights as the device wants them: sorted along a Morton curve so that neighbours in a
-/// word are neighbours in space, and filled up to whole words of 32 with lights of no
-/// intensity.
-pub fn records(lights: &[VirtualLight]) -> Vec<VplRecord> {
-    let mut order: Vec<usize> = (0..lights.len()).collect();
-    order.sort_by_key(|&i| (morton(lights[i].position), i));
-    let mut records: Vec<VplRecord> = order
-        .iter()
-        .map(|&i| VplRecord {
-            position: lights[i].position.to_array(),
-            pad0: 0.0,
-            normal: lights[i].normal.to_array(),
-            pad1: 0.0,
-            intensity: lights[i].intensity.to_array(),
-            mean: lights[i].intensity.element_sum() / 3.0,
-        })
-        .collect();
-    records.resize(lights.len().next_multiple_of(32), bytemuck::Zeroable::zeroed());
-    records
-}
-
 /// The bound on G of the default clamp: no VPL alone gives more irradiance than an eighth of
 /// the mean exitance that it stands for, b = π / (8 a), with a the area of one VPL, from the
 /// median squared distance to the k-th nearest VPL: a = π r² / k. `None` without VPLs.
@@ -205,13 +182,4 @@ pub fn density_bound(vpls: &[Vpl], scene: &Scene) -> Option<f32> {
         scene.triangles.iter().map(|t| t.area()).sum::<f32>() / vpls.len() as f32
     };
     Some(SHARE * PI / area)
-}
-
-/// Interleaved bits of a position, 21 an axis; normalised coordinates lie within [-2, 2].
-fn morton(position: Vec3) -> u64 {
-    let spread = |x: f32| {
-        let cell = ((f64::from(x) + 2.0) / 4.0 * f64::from(1 << 21)).clamp(0.0, 2_097_151.0);
-        (0..21).fold(0u64, |sum, bit| sum | ((cell as u64 >> bit & 1) << (3 * bit)))
-    };
-    spread(position.x) | spread(position.y) << 1 | spread(position.z) << 2
 }

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::super::parse;
 use crate::error::Error;
-use crate::render::{Bounces, Clamp, Clustering, Direct, Method, Representative, Settings};
+use crate::render::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
 
 #[derive(Debug, Args)]
 pub struct RenderArgs {
@@ -173,6 +173,10 @@ pub struct ClusteringArgs {
     #[arg(long, value_name = "WHAT", default_value = "member",
           value_parser = parse::representative)]
     pub representative: Representative,
+
+    /// What a VPL cluster shares: one light, or visibility alone
+    #[arg(long, value_name = "WHAT", default_value = "light", value_parser = parse::merge)]
+    pub merge: Merge,
 }
 
 impl ClusteringArgs {
@@ -185,6 +189,7 @@ impl ClusteringArgs {
             normal_threshold: self.normal_threshold,
             stride: self.kmeans_stride,
             representative: self.representative,
+            merge: self.merge,
         }
     }
 }
@@ -194,8 +199,6 @@ impl ClusteringArgs {
 pub struct LaterArgs {
     #[arg(long, hide = true)]
     fuzzy: Option<String>,
-    #[arg(long, hide = true)]
-    merge: Option<String>,
     #[arg(long, hide = true)]
     interleave: Option<String>,
     #[arg(long, hide = true)]
@@ -210,7 +213,6 @@ impl LaterArgs {
     pub fn check(&self) -> Result<(), Error> {
         let given = [
             ("fuzzy", self.fuzzy.is_some()),
-            ("merge", self.merge.is_some()),
             ("interleave", self.interleave.is_some()),
             ("compensate", self.compensate),
         ];
