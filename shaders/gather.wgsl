@@ -18,12 +18,12 @@ struct ShadeParams {
 // In w, the mean of the channels that the bound removed.
 @group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
 
-// What a VPL of this light (intensity, and its mean) gives to a point if it is seen.
-fn pair(x: Point, position: vec3f, normal: vec3f, light: vec4f, seen: bool) -> vec4f {
+// What a VPL of this light (intensity, and its mean) gives to a point.
+fn pair(x: Point, position: vec3f, normal: vec3f, light: vec4f, seen: Seen, bit: u32) -> vec4f {
     let d = position - x.position;
     let square = dot(d, d);
     let cosines = max(dot(d, x.normal), 0.0) * max(-dot(d, normal), 0.0);
     // Never 0 / 0: a VPL at the point itself has cosines 0 and gives nothing.
-    let g = select(0.0, cosines / max(square * square, 1e-37), seen);
-    return light * vec4f(vec3f(kept(g, params.bound)), removed(g, params.bound));
+    let g = cosines / max(square * square, 1e-37);
+    return light * shown(vec2f(kept(g, params.bound), removed(g, params.bound)), seen, bit).xxxy;
 }

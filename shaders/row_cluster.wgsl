@@ -2,6 +2,6 @@
 
 @group(0) @binding(12) var<storage, read> cluster_of: array<u32>;
 
-fn row_of(point: u32) -> u32 {
+fn row_of(point: u32) -> Rows {
     return cluster_of[point];
 }

@@ -1,5 +1,5 @@
-// Every point reads its own row of the bit matrix.
+// Every point has its own row of the bit matrix.
 
-fn row_of(point: u32) -> u32 {
+fn row_of(point: u32) -> Rows {
     return point;
 }

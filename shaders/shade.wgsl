@@ -8,14 +8,16 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let row = row_of(id.x);
     var total = vec4f(0.0);
     for (var word = 0u; word < params.words; word++) {
-        var seen = bits[word * params.rows + row];
+        let seen = load_seen(row, word);
+        var left = seen_at_all(seen);
         // A sum a word, then the sum of those, keeps rounding small over many VPLs.
         var sum = vec4f(0.0);
-        while seen != 0u {
-            let vpl = vpls[32u * (params.matrix_word + word) + firstTrailingBit(seen)];
-            seen &= seen - 1u;
+        while left != 0u {
+            let index = firstTrailingBit(left);
+            let vpl = vpls[32u * (params.matrix_word + word) + index];
+            left &= left - 1u;
             let light = vec4f(vpl.intensity, vpl.mean);
-            sum += pair(point, vpl.position, vpl.normal, light, true);
+            sum += pair(point, vpl.position, vpl.normal, light, seen, 1u << index);
         }
         total += sum;
     }

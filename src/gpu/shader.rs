@@ -52,6 +52,8 @@ pub mod module {
         PACKET_RAYS = "packet_rays";
         VISIBILITY_PACKET = "visibility_packet" for "indirect light";
         EXPAND = "expand" for "visibility shared by VPL clusters";
+        SEEN_HARD = "seen_hard";
+        SEEN_FUZZY = "seen_fuzzy" for "fuzzy clusters";
         ROW_POINT = "row_point";
         ROW_CLUSTER = "row_cluster" for "clusters of visible points";
         GATHER = "gather" for "indirect light";

@@ -2,12 +2,14 @@
 //! them) and each VPL, then the sum over the VPLs at every point.
 
 use std::cell::Cell;
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use super::indirect::Indirect;
+use super::kernels::{self, Sharing};
 use super::stages::{Named, Stage};
 use super::visible::PointClusters;
-use super::{Phases, Prepared, kernels};
+use super::{Phases, Prepared};
 use crate::gpu::{ExpandParams, GpuError, ShadeParams, VisibilityParams};
 use crate::sampling::SURFACE_OFFSET;
 
@@ -26,7 +28,7 @@ enum Rows {
     /// Every point of the tile, traced sample by sample.
     Points,
     /// Clusters of the whole frame, traced once; and which of them the points of a tile are in.
-    Clusters { count: u32, of_points: wgpu::Buffer },
+    Clusters { count: u32, of_points: wgpu::Buffer, weights: Option<wgpu::Buffer> },
 }
 
 /// A chunk of the bit matrix, with what writes and reads it.
@@ -77,24 +79,36 @@ impl<'a> Gather<'a> {
         let mut common: Vec<Named<'_>> = tile.to_vec();
         common.extend([("vpls", &indirect.buffer), ("counter", &counter)]);
 
-        let shade =
-            kernels::shade(gpu.has_subgroups(), indirect.bound.is_some(), clusters.is_some());
+        let sharing = match clusters {
+            None => Sharing::Own,
+            Some(clusters) if clusters.weights.is_none() => Sharing::Cluster,
+            Some(_) => Sharing::Fuzzy,
+        };
+        let shade = kernels::shade(gpu.has_subgroups(), indirect.bound.is_some(), sharing);
         let visibility = kernels::visibility_for(prepared);
-        let (rows, rows_count, row_buffers, traced_points) = match clusters {
-            None => (Rows::Points, points, None, None),
+        let (rows, rows_count) = match clusters {
+            None => (Rows::Points, points),
             Some(clusters) => {
-                let count = clusters.representatives.len() as u32;
-                let traced = gpu.storage_of("representatives", &clusters.representatives)?;
-                let of_points = gpu.storage::<u32>("clusters of points", points as usize)?;
-                let rows = Rows::Clusters { count, of_points: of_points.clone() };
-                (rows, count, Some(of_points), Some(traced))
+                let (count, shared) = (clusters.representatives.len(), clusters.shared);
+                let values = points as usize * shared;
+                let of_points = gpu.storage::<u32>("clusters of points", values)?;
+                let weights =
+                    clusters.weights.as_ref().map(|_| gpu.storage::<f32>("weights", values));
+                let weights = weights.transpose()?;
+                (Rows::Clusters { count: count as u32, of_points, weights }, count as u32)
             }
         };
+        let representatives = clusters
+            .map(|clusters| gpu.storage_of("representatives", &clusters.representatives))
+            .transpose()?;
         // The first buffer of a name counts.
         let mut tracing: Vec<Named<'_>> = Vec::new();
-        tracing.extend(traced_points.as_ref().map(|points| ("points", points)));
+        tracing.extend(representatives.as_ref().map(|points| ("points", points)));
         let mut shading = common.clone();
-        shading.extend(row_buffers.as_ref().map(|rows| ("cluster_of", rows)));
+        if let Rows::Clusters { of_points, weights, .. } = &rows {
+            shading.push(("cluster_of", of_points));
+            shading.extend(weights.as_ref().map(|weights| ("weight_of", weights)));
+        }
 
         let matrix = |words: u32| {
             gpu.storage::<u32>("visibility bits", rows_count as usize * words as usize)
@@ -157,14 +171,22 @@ impl<'a> Gather<'a> {
         Ok(rays)
     }
 
-    /// Tells which cluster each point of the tile is in.
+    /// Tells which clusters the points of a tile are in: those of a range of the frame's
+    /// points.
     ///
     /// # Errors
     /// The device fails.
-    pub fn set_clusters(&self, clusters: &[u32]) -> Result<(), GpuError> {
-        match &self.rows {
-            Rows::Points => Ok(()),
-            Rows::Clusters { of_points, .. } => self.prepared.gpu.write(of_points, clusters),
+    pub fn set_clusters(
+        &self,
+        clusters: &PointClusters,
+        points: Range<usize>,
+    ) -> Result<(), GpuError> {
+        let Rows::Clusters { of_points, weights, .. } = &self.rows else { return Ok(()) };
+        let range = points.start * clusters.shared..points.end * clusters.shared;
+        self.prepared.gpu.write(of_points, &clusters.of_points[range.clone()])?;
+        match (weights, &clusters.weights) {
+            (Some(buffer), Some(weights)) => self.prepared.gpu.write(buffer, &weights[range]),
+            _ => Ok(()),
         }
     }
 

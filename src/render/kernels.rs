@@ -5,9 +5,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
     BITS, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, EXPAND, GATHER, PACKET_RAYS, PACKET_SHAFT,
-    PAIR_BOUNDED, PAIR_UNBOUNDED, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SHADE,
-    SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES,
-    VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    PAIR_BOUNDED, PAIR_UNBOUNDED, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING,
+    SEEN_FUZZY, SEEN_HARD, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
+    TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -90,12 +90,27 @@ pub fn expand() -> Program {
     Program { label: "expansion", modules: vec![&EXPAND] }
 }
 
-/// Shading of points by VPLs; `clustered` points share the rows of the bit matrix.
-pub fn shade(subgroups: bool, bounded: bool, clustered: bool) -> Program {
-    let pair = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
-    let row = if clustered { &ROW_CLUSTER } else { &ROW_POINT };
-    let kernel = if subgroups { &SHADE_COOPERATIVE } else { &SHADE };
-    Program { label: "shading", modules: vec![&TYPES, pair, &GATHER, row, kernel] }
+/// Whose row of the bit matrix a point reads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sharing {
+    /// Its own.
+    Own,
+    /// That of its cluster.
+    Cluster,
+    /// Those of the nearest clusters, weighted.
+    Fuzzy,
+}
+
+/// Shading of points by VPLs.
+pub fn shade(subgroups: bool, bounded: bool, sharing: Sharing) -> Program {
+    let mut modules = vec![&TYPES, if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED }, &GATHER];
+    match sharing {
+        Sharing::Own => modules.extend([&SEEN_HARD, &ROW_POINT]),
+        Sharing::Cluster => modules.extend([&SEEN_HARD, &ROW_CLUSTER]),
+        Sharing::Fuzzy => modules.push(&SEEN_FUZZY),
+    }
+    modules.push(if subgroups { &SHADE_COOPERATIVE } else { &SHADE });
+    Program { label: "shading", modules }
 }
 
 /// Emission towards the camera.
@@ -148,7 +163,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         let bounded = settings.clamp != Clamp::Off;
         programs.extend([
             visibility_for(prepared),
-            shade(subgroups, bounded, settings.method.clusters_points()),
+            shade(subgroups, bounded, settings.sharing()),
             reflect(),
         ]);
         programs.extend(bounded.then(removed));
@@ -206,7 +221,8 @@ pub fn all_programs() -> Vec<Program> {
         programs.push(visible_points(subgroups));
         programs.extend([direct_point(subgroups), direct_area(subgroups)]);
         for bounded in [false, true] {
-            programs.extend([false, true].map(|clustered| shade(subgroups, bounded, clustered)));
+            let sharing = [Sharing::Own, Sharing::Cluster, Sharing::Fuzzy];
+            programs.extend(sharing.map(|sharing| shade(subgroups, bounded, sharing)));
         }
     }
     programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));

@@ -1,5 +1,7 @@
 //! What to render, and how well.
 
+use super::kernels::Sharing;
+
 /// What the image shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
@@ -126,6 +128,9 @@ pub struct Clustering {
     pub normal_threshold: f32,
     /// Middle iterations over the points see one in so many.
     pub stride: u32,
+    /// Nearest clusters that share a point's visibility, up to [`Clustering::MOST_FUZZY`]; 1 is
+    /// hard clustering.
+    pub fuzzy: u32,
     /// What stands for a cluster of VPLs.
     pub representative: Representative,
     /// What a cluster of VPLs shares.
@@ -152,6 +157,11 @@ pub enum Representative {
     Member,
 }
 
+impl Clustering {
+    /// The rows that the shading kernel blends, at most.
+    pub const MOST_FUZZY: u32 = 4;
+}
+
 impl Default for Clustering {
     fn default() -> Self {
         Self {
@@ -161,6 +171,7 @@ impl Default for Clustering {
             vpl_iterations: 2,
             normal_threshold: 0.9,
             stride: 1,
+            fuzzy: 1,
             representative: Representative::default(),
             merge: Merge::default(),
         }
@@ -191,6 +202,15 @@ impl Settings {
     /// Whether VPLs share the visibility of their cluster.
     pub fn shares_columns(&self) -> bool {
         self.method.clusters_vpls() && self.clustering.merge == Merge::Visibility
+    }
+
+    /// Whose visibility a visible point uses.
+    pub fn sharing(&self) -> Sharing {
+        match self.clustering.fuzzy {
+            _ if !self.method.clusters_points() => Sharing::Own,
+            1 => Sharing::Cluster,
+            _ => Sharing::Fuzzy,
+        }
     }
 
     /// Shadow rays to area lights from each visible point.

@@ -144,7 +144,7 @@ impl<'a> TileRenderer<'a> {
             if let (Some(clustered), Some(gather)) = (clustered, gather) {
                 let run = first_point..first_point + points;
                 gpu.write(&buffers.points, &clustered.records[run.clone()])?;
-                gather.set_clusters(&clustered.clusters.of_points[run])?;
+                gather.set_clusters(&clustered.clusters, run)?;
             } else {
                 phases.visible_points +=
                     self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;

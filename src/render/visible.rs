@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::settings::Clustering;
-use crate::cluster::{Options, Points, kmeans};
+use crate::cluster::{Options, Points, fuzzy, kmeans};
 use crate::gpu::PointRecord;
 
 /// Clusters of visible points: which of them share visibility.
@@ -11,8 +11,13 @@ use crate::gpu::PointRecord;
 pub struct PointClusters {
     /// The member of each cluster that traces its rays.
     pub representatives: Vec<PointRecord>,
-    /// The cluster of each visible point; 0 where a camera ray hit nothing.
+    /// The clusters of each visible point, `shared` of them a point; 0 where a camera ray hit
+    /// nothing.
     pub of_points: Vec<u32>,
+    /// Their weights, if there are several a point.
+    pub weights: Option<Vec<f32>>,
+    /// Clusters a point: 1, or [`Clustering::MOST_FUZZY`].
+    pub shared: usize,
 }
 
 impl PointClusters {
@@ -31,28 +36,48 @@ impl PointClusters {
         };
         let positions = of(|record| record.position);
         let normals = of(|record| record.normal);
-        let found = kmeans(
-            &Points { positions: &positions, normals: &normals },
-            &Options {
-                clusters: clustering.points,
-                iterations: clustering.point_iterations,
-                normal_threshold: clustering.normal_threshold,
-                stride: clustering.stride,
-                seed,
-            },
-        );
-        let representative = |member: u32| records[hits[member as usize] as usize];
-        let mut of_points = vec![0; records.len()];
-        for (&hit, &cluster) in hits.iter().zip(&found.assignment) {
-            of_points[hit as usize] = cluster;
+        let points = Points { positions: &positions, normals: &normals };
+        let options = Options {
+            clusters: clustering.points,
+            iterations: clustering.point_iterations,
+            normal_threshold: clustering.normal_threshold,
+            stride: clustering.stride,
+            seed,
+        };
+        let found = kmeans(&points, &options);
+        let representatives = found
+            .clusters
+            .iter()
+            .map(|cluster| records[hits[cluster.representative as usize] as usize])
+            .collect();
+        if clustering.fuzzy == 1 {
+            let of_points = spread(&hits, &found.assignment, 1, 1, records.len());
+            return Some(Self { representatives, of_points, weights: None, shared: 1 });
         }
+        let (own, shared) = (clustering.fuzzy as usize, Clustering::MOST_FUZZY as usize);
+        let (clusters, weights) =
+            fuzzy(&points, &found, clustering.fuzzy, clustering.normal_threshold);
         Some(Self {
-            representatives: found
-                .clusters
-                .iter()
-                .map(|cluster| representative(cluster.representative))
-                .collect(),
-            of_points,
+            representatives,
+            of_points: spread(&hits, &clusters, own, shared, records.len()),
+            weights: Some(spread(&hits, &weights, own, shared, records.len())),
+            shared,
         })
     }
+}
+
+/// From `own` values a hit to `shared` a point: the rest is 0.
+fn spread<T: Copy + Default>(
+    hits: &[u32],
+    values: &[T],
+    own: usize,
+    shared: usize,
+    points: usize,
+) -> Vec<T> {
+    let mut all = vec![T::default(); points * shared];
+    for (&hit, values) in hits.iter().zip(values.chunks_exact(own)) {
+        let at = hit as usize * shared;
+        all[at..at + own].copy_from_slice(values);
+    }
+    all
 }

@@ -163,6 +163,12 @@ pub struct ClusteringArgs {
           value_parser = parse::normal_threshold)]
     pub normal_threshold: f32,
 
+    /// Nearest clusters that share a point's visibility; 1 is hard clustering
+    #[arg(long, allow_negative_numbers = true, value_name = "M",
+          default_value_t = Clustering::default().fuzzy,
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(Clustering::MOST_FUZZY)))]
+    pub fuzzy: u32,
+
     /// Middle iterations see one visible point in so many
     #[arg(long, allow_negative_numbers = true, value_name = "S",
           default_value_t = Clustering::default().stride,
@@ -188,6 +194,7 @@ impl ClusteringArgs {
             vpl_iterations: self.vpl_iterations,
             normal_threshold: self.normal_threshold,
             stride: self.kmeans_stride,
+            fuzzy: self.fuzzy,
             representative: self.representative,
             merge: self.merge,
         }
@@ -197,8 +204,6 @@ impl ClusteringArgs {
 /// Options of the contract that are still to come: known by name, refused with a reason.
 #[derive(Debug, Args)]
 pub struct LaterArgs {
-    #[arg(long, hide = true)]
-    fuzzy: Option<String>,
     #[arg(long, hide = true)]
     interleave: Option<String>,
     #[arg(long, hide = true)]
@@ -211,11 +216,7 @@ impl LaterArgs {
     /// # Errors
     /// One is given.
     pub fn check(&self) -> Result<(), Error> {
-        let given = [
-            ("fuzzy", self.fuzzy.is_some()),
-            ("interleave", self.interleave.is_some()),
-            ("compensate", self.compensate),
-        ];
+        let given = [("interleave", self.interleave.is_some()), ("compensate", self.compensate)];
         match given.into_iter().find(|(_, given)| *given) {
             Some((name, _)) => {
                 Err(Error::Usage(format!("--{name} is not supported yet; leave it out")))
