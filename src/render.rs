@@ -6,6 +6,7 @@ mod indirect;
 pub mod kernels;
 mod light;
 mod merge;
+mod picture;
 mod settings;
 mod stages;
 mod tile;
@@ -212,15 +213,17 @@ pub fn frame(
         let clusters = VplClusters::of(&lights, &settings.clustering, seed);
         counts.vpl_clusters = Some(clusters.lights.len() as u64);
         match settings.clustering.merge {
-            Merge::Light => lights = clusters.lights,
-            Merge::Visibility => columns = Some(clusters),
+            Merge::Visibility if settings.method.is_indirect() => columns = Some(clusters),
+            _ => lights = clusters.lights,
         }
         phases.cluster_vpls = start.elapsed();
     }
 
-    let indirect = Indirect::new(&prepared.gpu, &lights, columns.as_ref(), bound)?;
+    let gathered = if settings.method.is_indirect() { &lights[..] } else { &[] };
+    let indirect = Indirect::new(&prepared.gpu, gathered, columns.as_ref(), bound)?;
     let renderer = TileRenderer::new(prepared, camera, settings, seed, indirect.as_ref())?;
-    let clustered = match settings.method.clusters_points() && indirect.is_some() {
+    let shown = settings.method == Method::PointClusters;
+    let clustered = match settings.method.clusters_points() && (indirect.is_some() || shown) {
         true => renderer.cluster(&mut phases, progress)?,
         false => None,
     };
@@ -231,15 +234,21 @@ pub fn frame(
         let show = |share| progress(0.5 * share, "visibility");
         counts.shadow_rays += gather.trace_clusters(&mut phases, &show)?;
     }
-    let image =
+    let mut image =
         renderer.render(gather.as_ref(), clustered.as_ref(), &mut phases, &mut counts, progress)?;
+    match (settings.method, &clustered) {
+        (Method::PointClusters, Some(clustered)) => picture::point_clusters(clustered, &mut image),
+        (Method::VplMap, _) => picture::lights(prepared, camera, &lights, 1.0, &mut image),
+        (Method::VplClustersMap, _) => picture::lights(prepared, camera, &lights, 3.5, &mut image),
+        _ => {}
+    }
     let passes = prepared.gpu.take_pass_times()?;
     Ok(Frame { image, counts, phases, passes })
 }
 
 /// The VPLs that the settings ask for.
 pub fn light_paths(prepared: &Prepared, settings: &Settings, seed: u32) -> Vec<Vpl> {
-    if !settings.method.is_indirect() {
+    if !settings.method.traces_paths() {
         return Vec::new();
     }
     LightPaths {

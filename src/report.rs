@@ -193,7 +193,7 @@ impl Report {
         let scene = &prepared.scene;
         let Image { width, height, .. } = first.image;
         let counts = &first.counts;
-        let traces_paths = settings.method.is_indirect();
+        let traces_paths = settings.method.traces_paths();
         Self {
             schema: SCHEMA,
             version: env!("CARGO_PKG_VERSION"),

@@ -4,7 +4,7 @@ use crate::image::Tone;
 use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
 
 /// The methods there are.
-const METHODS: [Method; 8] = [
+const METHODS: [Method; 11] = [
     Method::Vpl,
     Method::Vplc,
     Method::Vpc,
@@ -13,10 +13,13 @@ const METHODS: [Method; 8] = [
     Method::Normal,
     Method::Depth,
     Method::Albedo,
+    Method::PointClusters,
+    Method::VplMap,
+    Method::VplClustersMap,
 ];
 
 /// Those of the command line's contract that are still to come.
-const LATER_METHODS: [&str; 4] = ["path", "point-clusters", "vpl-map", "vpl-clusters-map"];
+const LATER_METHODS: [&str; 1] = ["path"];
 
 pub fn method(text: &str) -> Result<Method, String> {
     if let Some(method) = METHODS.into_iter().find(|method| method.name() == text) {

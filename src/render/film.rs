@@ -30,7 +30,7 @@ pub fn develop(first_block: u32, film: &[[f32; 4]], weight: f32, image: &mut Ima
 }
 
 /// The pixel of a point; the twin of `pixel_of` in `shaders/sampling.wgsl`.
-fn pixel_of(point: u32, first_block: u32, width: u32) -> [u32; 2] {
+pub fn pixel_of(point: u32, first_block: u32, width: u32) -> [u32; 2] {
     let across = width.div_ceil(8);
     let block = first_block + point / BLOCK;
     let i = point % BLOCK;

@@ -22,6 +22,12 @@ pub enum Method {
     Depth,
     /// The surface's reflectance.
     Albedo,
+    /// Clusters of visible points in random colours, their representatives as green dots.
+    PointClusters,
+    /// VPLs as small blue dots over the directly lit scene.
+    VplMap,
+    /// Clusters of VPLs as large blue dots over the directly lit scene.
+    VplClustersMap,
 }
 
 impl Method {
@@ -36,27 +42,35 @@ impl Method {
             Self::Normal => "normal",
             Self::Depth => "depth",
             Self::Albedo => "albedo",
+            Self::PointClusters => "point-clusters",
+            Self::VplMap => "vpl-map",
+            Self::VplClustersMap => "vpl-clusters-map",
         }
     }
 
     /// Whether light is computed at all.
     pub fn is_lit(self) -> bool {
-        self.is_indirect() || self == Self::Direct
+        self.is_indirect() || matches!(self, Self::Direct | Self::VplMap | Self::VplClustersMap)
     }
 
     /// Whether light paths are traced.
+    pub fn traces_paths(self) -> bool {
+        self.is_indirect() || matches!(self, Self::VplMap | Self::VplClustersMap)
+    }
+
+    /// Whether VPLs light the picture.
     pub fn is_indirect(self) -> bool {
         matches!(self, Self::Vpl | Self::Vplc | Self::Vpc | Self::Both)
     }
 
     /// Whether clusters of visible points share visibility.
     pub fn clusters_points(self) -> bool {
-        matches!(self, Self::Vpc | Self::Both)
+        matches!(self, Self::Vpc | Self::Both | Self::PointClusters)
     }
 
     /// Whether VPLs are clustered.
     pub fn clusters_vpls(self) -> bool {
-        matches!(self, Self::Vplc | Self::Both)
+        matches!(self, Self::Vplc | Self::Both | Self::VplClustersMap)
     }
 }
 

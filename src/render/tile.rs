@@ -27,8 +27,12 @@ pub struct TileRenderer<'a> {
 /// The visible points of a whole frame in the order of tiles and samples, and their clusters.
 #[derive(Debug)]
 pub struct Clustered {
-    records: Vec<PointRecord>,
-    clusters: PointClusters,
+    /// The tiles, in order.
+    pub tiles: Vec<Tile>,
+    /// What their camera rays have hit.
+    pub records: Vec<PointRecord>,
+    /// Who is in which cluster.
+    pub clusters: PointClusters,
 }
 
 impl Clustered {
@@ -40,14 +44,20 @@ impl Clustered {
 
 /// A run of blocks, and the sample of its pixels that is being taken.
 #[derive(Debug, Clone, Copy)]
-struct Tile {
-    first_block: u32,
-    blocks: u32,
-    sample: u32,
+pub struct Tile {
+    /// The first of its blocks in the image.
+    pub first_block: u32,
+    /// How many blocks it has.
+    pub blocks: u32,
+    /// Which sample of each pixel.
+    pub sample: u32,
+    /// The first of its points among all of the frame's.
+    pub first_point: usize,
 }
 
 impl Tile {
-    fn points(&self) -> u32 {
+    /// How many points it has.
+    pub fn points(&self) -> u32 {
         self.blocks * BLOCK
     }
 }
@@ -93,7 +103,8 @@ impl<'a> TileRenderer<'a> {
         let start = Instant::now();
         let clusters = PointClusters::of(&records, &self.settings.clustering, self.seed);
         phases.cluster_points += start.elapsed();
-        Ok(clusters.map(|clusters| Clustered { records, clusters }))
+        let tiles = self.tiles().collect();
+        Ok(clusters.map(|clusters| Clustered { tiles, records, clusters }))
     }
 
     /// What gathers the VPLs: from each point by itself, or with clusters that have been
@@ -134,7 +145,6 @@ impl<'a> TileRenderer<'a> {
         let buffers = &self.stages.buffers;
         let gpu = &self.prepared.gpu;
         let tiles = self.tiles().count() as f64;
-        let mut first_point = 0;
         for (index, tile) in self.tiles().enumerate() {
             if tile.sample == 0 {
                 gpu.clear(&[&buffers.film])?;
@@ -142,14 +152,13 @@ impl<'a> TileRenderer<'a> {
             }
             let points = tile.points() as usize;
             if let (Some(clustered), Some(gather)) = (clustered, gather) {
-                let run = first_point..first_point + points;
+                let run = tile.first_point..tile.first_point + points;
                 gpu.write(&buffers.points, &clustered.records[run.clone()])?;
                 gather.set_clusters(&clustered.clusters, run)?;
             } else {
                 phases.visible_points +=
                     self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;
             }
-            first_point += points;
             self.sample(tile, gather, phases, counts, &|share, phase| {
                 progress((index as f64 + share) / tiles, phase);
             })?;
@@ -292,13 +301,17 @@ impl<'a> TileRenderer<'a> {
         let (all, samples) = (image_blocks(self.camera), self.settings.samples);
         (0..all).step_by(TILE_BLOCKS as usize).flat_map(move |first_block| {
             let blocks = TILE_BLOCKS.min(all - first_block);
-            (0..samples).map(move |sample| Tile { first_block, blocks, sample })
+            (0..samples).map(move |sample| {
+                let before = first_block * samples + sample * blocks;
+                let first_point = before as usize * BLOCK as usize;
+                Tile { first_block, blocks, sample, first_point }
+            })
         })
     }
 }
 
 /// A black image, if there is memory for one.
-fn blank([width, height]: [u32; 2]) -> Result<Image, GpuError> {
+pub fn blank([width, height]: [u32; 2]) -> Result<Image, GpuError> {
     let count = width as usize * height as usize;
     let mut pixels = Vec::new();
     pixels.try_reserve_exact(count).map_err(|_| GpuError::ImageTooLarge {

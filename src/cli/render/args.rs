@@ -18,7 +18,8 @@ pub struct RenderArgs {
     #[arg(short, long = "output", value_name = "OUT", required = true)]
     pub outputs: Vec<PathBuf>,
 
-    /// What to show: vpl, vplc, vpc, both, direct, normal, depth, albedo
+    /// What to show: vpl, vplc, vpc, both; direct, normal, depth, albedo; point-clusters,
+    /// vpl-map, vpl-clusters-map
     #[arg(long, default_value = "vpl", value_parser = parse::method)]
     pub method: Method,
 
