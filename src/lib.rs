@@ -48,6 +48,7 @@
 
 pub mod bvh;
 pub mod cli;
+pub mod cluster;
 pub mod error;
 pub mod gpu;
 pub mod image;
