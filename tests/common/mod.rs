@@ -5,6 +5,7 @@
 
 pub mod compare;
 pub mod gather;
+pub mod points;
 pub mod tracing;
 
 use std::sync::OnceLock;
