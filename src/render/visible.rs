@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::indirect::morton;
 use super::settings::Clustering;
 use crate::cluster::{Options, Points, fuzzy, kmeans};
 use crate::gpu::PointRecord;
@@ -45,13 +46,23 @@ impl PointClusters {
             seed,
         };
         let found = kmeans(&points, &options);
-        let representatives = found
-            .clusters
-            .iter()
-            .map(|cluster| records[hits[cluster.representative as usize] as usize])
-            .collect();
+        // Rows that are neighbours in space are traced together.
+        let of_cluster = |&cluster: &u32| {
+            let found = &found.clusters[cluster as usize];
+            records[hits[found.representative as usize] as usize]
+        };
+        let mut order: Vec<u32> = (0..found.clusters.len() as u32).collect();
+        order.sort_by_cached_key(|c| (morton(Vec3::from_array(of_cluster(c).position)), *c));
+        let representatives = order.iter().map(of_cluster).collect();
+        let mut row_of = vec![0; order.len()];
+        for (row, &cluster) in (0..).zip(&order) {
+            row_of[cluster as usize] = row;
+        }
+        let rows = |clusters: &[u32]| -> Vec<u32> {
+            clusters.iter().map(|&cluster| row_of[cluster as usize]).collect()
+        };
         if clustering.fuzzy == 1 {
-            let of_points = spread(&hits, &found.assignment, 1, 1, records.len());
+            let of_points = spread(&hits, &rows(&found.assignment), 1, 1, records.len());
             return Some(Self { representatives, of_points, weights: None, shared: 1 });
         }
         let (own, shared) = (clustering.fuzzy as usize, Clustering::MOST_FUZZY as usize);
@@ -59,7 +70,7 @@ impl PointClusters {
             fuzzy(&points, &found, clustering.fuzzy, clustering.normal_threshold);
         Some(Self {
             representatives,
-            of_points: spread(&hits, &clusters, own, shared, records.len()),
+            of_points: spread(&hits, &rows(&clusters), own, shared, records.len()),
             weights: Some(spread(&hits, &weights, own, shared, records.len())),
             shared,
         })
