@@ -26,7 +26,7 @@ pub use settings::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representa
 pub use vpl::{LightPaths, Vpl};
 
 use indirect::Indirect;
-use merge::{VirtualLight, VplClusters};
+pub use merge::{VirtualLight, VplClusters};
 use tile::{Clustered, TileRenderer};
 
 /// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels

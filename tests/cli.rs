@@ -97,10 +97,10 @@ fn wrong_usage_is_code_2() {
         ("render", "--output"),
         ("render -o a.png --bogus", "see gpu-vpl render --help"),
         ("render -o a.png b c", "'c'"),
-        ("render -o a.png --method bogus", "vpl, direct, normal, depth, albedo"),
-        ("render -o a.png --method both", "not supported yet"),
+        ("render -o a.png --method bogus", "vpl, vplc, vpc, both, direct"),
+        ("render -o a.png --method path", "not supported yet"),
         ("render -o a.png --direct clustered", "not supported yet"),
-        ("render -o a.png --fuzzy 2", "--fuzzy is not supported yet"),
+        ("render -o a.png --interleave 2", "--interleave is not supported yet"),
         ("render -o a.png --compensate", "--compensate is not supported yet"),
         ("study builtin:cornell -o dir --fresh", "not supported yet"),
         ("compare a.exr b.exr --json", "not supported yet"),
@@ -211,7 +211,7 @@ fn help_and_version_go_to_standard_output() {
         assert_eq!(outcome.stderr, "", "{line}");
     }
     let help = String::from_utf8(run("render --help").succeeds().stdout).unwrap();
-    assert!(!help.contains("--fuzzy"), "what is not supported yet is not offered");
+    assert!(!help.contains("--interleave"), "what is not supported yet is not offered");
 }
 
 #[cfg(unix)]

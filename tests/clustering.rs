@@ -1,0 +1,123 @@
+//! The clustered methods: against `vpl`, against each other, and what they must keep.
+
+#![expect(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
+
+mod common;
+
+use common::{Rng, difference, frame, open_gpu, room};
+use glam::{DVec3, Vec3};
+use gpu_vpl::gpu::Gpu;
+use gpu_vpl::render::{
+    Clustering, Merge, Method, Prepared, Representative, Settings, VirtualLight, VplClusters,
+};
+
+const CLUSTERED: [Method; 3] = [Method::Vplc, Method::Vpc, Method::Both];
+
+fn prepared(gpu: Gpu) -> Prepared {
+    let settings = Settings::default();
+    Prepared::new(gpu, room(1.0, DVec3::ZERO, [40, 24]).scene(), &settings).unwrap()
+}
+
+fn settings(method: Method, clustering: Clustering) -> Settings {
+    Settings { method, light_paths: 700, samples: 2, clustering, ..Settings::default() }
+}
+
+fn all_clusterings(points: u32, vpls: u32) -> Vec<Clustering> {
+    let mut all = Vec::new();
+    for merge in [Merge::Light, Merge::Visibility] {
+        for fuzzy in [1, 3] {
+            all.push(Clustering { points, vpls, merge, fuzzy, ..Clustering::default() });
+        }
+    }
+    all
+}
+
+/// As many clusters as there are points and VPLs: every method is `vpl` by another way. Rows
+/// and columns are in the order of a Morton curve, so no index is that of its point or VPL.
+#[test]
+fn clusters_of_one_give_the_image_of_all_vpls() {
+    for gpu in [open_gpu(), open_gpu().without_subgroups()] {
+        let prepared = prepared(gpu);
+        let all = frame(&prepared, &settings(Method::Vpl, Clustering::default()));
+        assert!(all.counts.vpls > 1024, "one chunk of the bit matrix is not enough to test");
+        for method in CLUSTERED {
+            for clustering in all_clusterings(1 << 20, 1 << 20) {
+                let image = frame(&prepared, &settings(method, clustering)).image;
+                let off = difference(&image.pixels, &all.image.pixels);
+                assert!(off < 1e-5, "{method:?} {clustering:?}: off by {off:e}");
+            }
+        }
+    }
+}
+
+/// Fewer clusters trace fewer rays, and are near the image of all VPLs.
+#[test]
+fn few_clusters_are_near_the_image_of_all_vpls() {
+    let prepared = prepared(open_gpu());
+    let all = frame(&prepared, &settings(Method::Vpl, Clustering::default()));
+    let mean = |image: &gpu_vpl::image::Image| {
+        image.pixels.iter().flatten().map(|&c| f64::from(c)).sum::<f64>()
+    };
+    for method in CLUSTERED {
+        for clustering in all_clusterings(200, 200) {
+            let some = frame(&prepared, &settings(method, clustering));
+            let counts = some.counts;
+            assert!(counts.shadow_rays < all.counts.shadow_rays / 3, "{method:?}");
+            assert_eq!(counts.point_clusters.is_some(), method.clusters_points());
+            assert_eq!(counts.vpl_clusters.is_some(), method.clusters_vpls());
+            let off = mean(&some.image) / mean(&all.image) - 1.0;
+            assert!(off.abs() < 0.03, "{method:?} {clustering:?}: mean off by {off:.4}");
+            let same = difference(&some.image.pixels, &all.image.pixels) == 0.0;
+            assert!(!same, "{method:?} {clustering:?} has not clustered anything");
+        }
+    }
+}
+
+#[test]
+fn images_do_not_depend_on_the_number_of_threads() {
+    for method in CLUSTERED {
+        for clustering in all_clusterings(100, 50) {
+            let images = [1, 2, 3].map(|threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                let settings = settings(method, clustering);
+                pool.install(|| frame(&prepared(open_gpu()), &settings).image.pixels)
+            });
+            assert!(images[0] == images[1] && images[1] == images[2], "{method:?} {clustering:?}");
+        }
+    }
+}
+
+/// Lights of different colours merge to the sum of their light, channel by channel.
+#[test]
+fn merged_lights_keep_colour_and_energy() {
+    let mut random = Rng(3);
+    let lights: Vec<VirtualLight> = (0..2000)
+        .map(|_| {
+            let normal = [Vec3::X, Vec3::Y, Vec3::NEG_Z][random.below(3)];
+            let intensity = Vec3::new(random.unit(), random.unit() * 0.1, random.unit() * 7.0);
+            VirtualLight { position: random.cube(), normal, intensity }
+        })
+        .collect();
+    let sum = |lights: &[VirtualLight]| {
+        lights.iter().map(|light| light.intensity.as_dvec3()).sum::<DVec3>()
+    };
+    for representative in [Representative::Mean, Representative::Member] {
+        let clustering = Clustering { vpls: 60, representative, ..Clustering::default() };
+        let clusters = VplClusters::of(&lights, &clustering, 1);
+        assert!(clusters.lights.len() < 100);
+        let off = (sum(&clusters.lights) / sum(&lights) - DVec3::ONE).abs().max_element();
+        assert!(off < 1e-6, "{representative:?}: off by {off:e}");
+        for (index, merged) in clusters.lights.iter().enumerate() {
+            let members = || {
+                let of = clusters.of_lights.iter().zip(&lights);
+                of.filter(|(cluster, _)| **cluster as usize == index).map(|(_, light)| light)
+            };
+            let expected = members().map(|light| light.intensity.as_dvec3()).sum::<DVec3>();
+            assert!((merged.intensity.as_dvec3() - expected).length() < 1e-5 * expected.length());
+            assert!(members().all(|light| light.normal == members().next().unwrap().normal));
+            if representative == Representative::Member {
+                assert!(members().any(|light| light.position == merged.position));
+            }
+        }
+    }
+}
