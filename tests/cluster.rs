@@ -9,7 +9,7 @@ use gpu_vpl::cluster::{Clustering, Grid, Options, Points, fuzzy, kmeans};
 use rayon::ThreadPoolBuilder;
 
 use common::Rng;
-use common::points::{Set, box_of_walls, everything, outlier, sheets, sphere};
+use common::points::{Set, box_of_walls, cloud, everything, outlier, sheets, sphere};
 
 const OPTIONS: Options =
     Options { clusters: 50, iterations: 4, normal_threshold: 0.9, stride: 1, seed: 1 };
@@ -328,6 +328,7 @@ fn timing_of_a_large_set() {
         ("box", box_of_walls(512 * 512)),
         ("sphere", sphere(512 * 512)),
         ("outlier", outlier(512 * 512)),
+        ("cloud", cloud(512 * 512)),
     ] {
         for (clusters, stride) in [(2600, 1), (8000, 1), (2600, 4), (8000, 4)] {
             let options = Options { clusters, stride, normal_threshold: 0.9, ..OPTIONS };

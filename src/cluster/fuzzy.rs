@@ -66,7 +66,7 @@ impl Nearest {
         threshold: f32,
         guess: f32,
     ) -> f32 {
-        let mut radius = guess.max(grid.cell());
+        let mut radius = guess.min(4.0 * grid.cell()).max(grid.cell());
         loop {
             self.found.clear();
             let all = grid.visit(position, radius, |entry| {

@@ -103,16 +103,16 @@ impl Grid {
                 consider(&mut best, entry);
             }
         }
+        // A guess may be far off, as where points come in no order: rings grow up to it.
         let mut radius = reach(0.0).max(self.cell);
-        while best.0 == NONE {
+        loop {
+            radius = radius.min(reach(best.1));
             let all = self.visit(position, radius, |entry| consider(&mut best, entry));
             if all || reach(best.1) <= radius {
                 return (best.0 != NONE).then_some(best);
             }
             radius *= 2.0;
         }
-        self.visit(position, reach(best.1), |entry| consider(&mut best, entry));
-        Some(best)
     }
 
     /// The centroid of an index, if there is one.

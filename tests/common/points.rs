@@ -80,13 +80,19 @@ pub fn sheets(count: usize) -> Set {
     set
 }
 
-/// These and adversarial ones, of a thousand points or fewer.
-pub fn everything() -> Vec<(&'static str, Set)> {
+/// Anywhere, in no order.
+pub fn cloud(count: usize) -> Set {
     let mut random = Rng(1);
     let mut cloud = Set::default();
-    for _ in 0..1000 {
+    for _ in 0..count {
         cloud.push(random.cube(), random.direction());
     }
+    cloud
+}
+
+/// These and adversarial ones, of a thousand points or fewer.
+pub fn everything() -> Vec<(&'static str, Set)> {
+    let cloud = cloud(1000);
     let with = |change: &dyn Fn(usize, &mut Vec3, &mut Vec3)| {
         let mut set = cloud.clone();
         for (index, pair) in set.positions.iter_mut().zip(&mut set.normals).enumerate() {
