@@ -4,6 +4,7 @@ mod console;
 mod info;
 mod parse;
 mod render;
+mod study;
 
 use std::ffi::{OsStr, OsString};
 use std::panic;
@@ -29,8 +30,8 @@ enum Command {
     Render(Box<render::RenderArgs>),
     /// List adapters and built-in scenes; say what a scene holds
     Info(info::InfoArgs),
-    #[command(hide = true)]
-    Study(NotYet),
+    /// Run the thesis's experiments: error against run time, as tables
+    Study(study::StudyArgs),
     #[command(hide = true)]
     Compare(NotYet),
 }
@@ -61,7 +62,7 @@ fn run(arguments: Vec<OsString>, started: Instant) -> u8 {
     let result = match cli.command {
         Command::Render(args) => render::run(&args, started),
         Command::Info(args) => info::run(&args),
-        Command::Study(_) => not_yet("study"),
+        Command::Study(args) => study::run(&args),
         Command::Compare(_) => not_yet("compare"),
     };
     match result {
@@ -74,7 +75,8 @@ fn run(arguments: Vec<OsString>, started: Instant) -> u8 {
 }
 
 fn not_yet(command: &str) -> Result<(), Error> {
-    let what = format!("the command {command} is not supported yet; there are render and info");
+    let what =
+        format!("the command {command} is not supported yet; there are render, study and info");
     Err(Error::Usage(what))
 }
 
@@ -91,12 +93,16 @@ fn refuse(refusal: &clap::Error, command: Option<&OsStr>) -> u8 {
             }
         }
         ErrorKind::MissingSubcommand => {
-            console::error("no command given; there are render and info; see gpu-vpl --help");
+            console::error(
+                "no command given; there are render, study and info; see gpu-vpl --help",
+            );
             2
         }
         _ => {
             let help = match command.and_then(OsStr::to_str) {
-                Some(command @ ("render" | "info")) => format!("gpu-vpl {command} --help"),
+                Some(command @ ("render" | "study" | "info")) => {
+                    format!("gpu-vpl {command} --help")
+                }
                 _ => "gpu-vpl --help".to_owned(),
             };
             console::error(&format!("{}; see {help}", parse::one_clause(&refusal.to_string())));

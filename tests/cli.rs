@@ -92,7 +92,7 @@ const SMALL: &str = "render --size 16x12 --vpls 20 --quiet";
 #[test]
 fn wrong_usage_is_code_2() {
     for (line, says) in [
-        ("", "no command given; there are render and info"),
+        ("", "no command given; there are render, study and info"),
         ("paint", "paint"),
         ("render", "--output"),
         ("render -o a.png --bogus", "see gpu-vpl render --help"),
@@ -102,7 +102,16 @@ fn wrong_usage_is_code_2() {
         ("render -o a.png --direct clustered", "not supported yet"),
         ("render -o a.png --interleave 2", "--interleave is not supported yet"),
         ("render -o a.png --compensate", "--compensate is not supported yet"),
-        ("study builtin:cornell -o dir --fresh", "not supported yet"),
+        ("study --preset thesis", "--output"),
+        ("study -o dir", "--preset thesis"),
+        ("study --preset quick -o dir", "not supported yet"),
+        ("study --preset bogus -o dir", "give thesis"),
+        ("study builtin:cornell -o dir", "a SCENE is not supported yet"),
+        ("study --preset thesis -o dir --sweep a.toml", "--sweep is not supported yet"),
+        ("study --preset thesis -o dir --reference a.exr", "--reference is not supported yet"),
+        ("study --preset thesis -o dir --seeds 5", "--seeds is not supported yet"),
+        ("study --preset thesis -o dir --fresh", "--fresh is not supported yet"),
+        ("study --preset thesis -o dir --size 0", "WIDTHxHEIGHT"),
         ("compare a.exr b.exr --json", "not supported yet"),
         ("render -o a.png --size 0", "WIDTHxHEIGHT"),
         ("render -o a.png --size 0x5", "WIDTHxHEIGHT"),

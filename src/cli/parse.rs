@@ -73,6 +73,15 @@ pub fn merge(text: &str) -> Result<Merge, String> {
     }
 }
 
+/// The experiments of `study`.
+pub fn preset(text: &str) -> Result<&'static str, String> {
+    match text {
+        "thesis" => Ok("thesis"),
+        "quick" | "extremes" => Err("not supported yet; give thesis".to_owned()),
+        _ => Err("give thesis".to_owned()),
+    }
+}
+
 /// The cosine of the normal gate.
 pub fn normal_threshold(text: &str) -> Result<f32, String> {
     let value = text.parse::<f32>().ok().filter(|value| (-1.0..1.0).contains(value));

@@ -66,7 +66,11 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     Ok(())
 }
 
-fn start_threads(threads: Option<u16>) -> Result<(), Error> {
+/// Sets the number of host threads, once in a process.
+///
+/// # Errors
+/// They cannot be started.
+pub fn start_threads(threads: Option<u16>) -> Result<(), Error> {
     let Some(threads) = threads else { return Ok(()) };
     rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(threads))

@@ -1,0 +1,253 @@
+//! The thesis's claims, judged by rows: a number, the range in which it confirms, a verdict.
+
+use std::ops::RangeInclusive;
+
+use serde::Serialize;
+
+use super::Row;
+use super::thesis::{CLUSTERS, ITERATIONS, LINEAR, STRIDE, TABLE_VPC, TABLE_VPL};
+
+/// What became of a claim.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// Every number lies in the range stated for it.
+    Confirmed,
+    /// One does not.
+    Refuted,
+    /// There is no number.
+    NotMeasured,
+}
+
+impl Verdict {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Confirmed => "confirmed",
+            Self::Refuted => "refuted",
+            Self::NotMeasured => "not measured",
+        }
+    }
+}
+
+/// A claim and what the rows say of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Claim {
+    /// What the thesis says.
+    pub claim: &'static str,
+    /// Decided by the criteria.
+    pub verdict: Verdict,
+    /// What decides: all of them have to hold.
+    pub criteria: Vec<Criterion>,
+    /// Further numbers, and what the criteria leave out.
+    pub remark: String,
+}
+
+/// A number, and where it has to lie.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Criterion {
+    /// What the number is.
+    pub what: &'static str,
+    /// The number.
+    pub value: f64,
+    /// The least that confirms; null if anything small does.
+    pub least: Option<f64>,
+    /// The most that confirms; null if anything large does.
+    pub most: Option<f64>,
+}
+
+impl Criterion {
+    fn new(what: &'static str, value: f64, range: RangeInclusive<f64>) -> Self {
+        let finite = |bound: &f64| Some(*bound).filter(|bound| bound.is_finite());
+        Self { what, value, least: finite(range.start()), most: finite(range.end()) }
+    }
+
+    /// Whether the number lies where it has to; a NaN lies nowhere.
+    pub fn holds(&self) -> bool {
+        let least = self.least.unwrap_or(f64::NEG_INFINITY);
+        let most = self.most.unwrap_or(f64::INFINITY);
+        (least..=most).contains(&self.value)
+    }
+}
+
+/// A straight line fitted to points by least squares.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Line {
+    slope: f64,
+    intercept: f64,
+    /// The share of the variance that the line explains.
+    r2: f64,
+}
+
+/// All claims, in the thesis's order.
+pub fn judge(rows: &[Row]) -> Vec<Claim> {
+    vec![
+        claim("time is linear in the number of VPLs", linear(rows)),
+        claim("little changes after 3–4 iterations of K-means", iterations(rows)),
+        claim("a stride of 2 makes clustering 6 times faster", stride(rows)),
+        claim("2000 VPL clusters look like 4000 VPLs at half the time", clusters(rows)),
+        claim("visibility costs about three times the other terms", visibility(rows)),
+        Claim {
+            claim: "VPLs beat path tracing at equal time",
+            verdict: Verdict::NotMeasured,
+            criteria: Vec::new(),
+            remark: "not measured yet: there is no path tracer to compare with".to_owned(),
+        },
+    ]
+}
+
+type Judgement = Option<(Vec<Criterion>, String)>;
+
+fn claim(claim: &'static str, judgement: Judgement) -> Claim {
+    let Some((criteria, remark)) = judgement else {
+        let remark = "rows are missing".to_owned();
+        return Claim { claim, verdict: Verdict::NotMeasured, criteria: Vec::new(), remark };
+    };
+    let verdict = match criteria.iter().all(Criterion::holds) {
+        true => Verdict::Confirmed,
+        false => Verdict::Refuted,
+    };
+    Claim { claim, verdict, criteria, remark }
+}
+
+fn linear(rows: &[Row]) -> Judgement {
+    let points: Vec<_> = of(rows, LINEAR).map(|row| (row.vpls as f64, row.times.render)).collect();
+    let Line { slope, intercept, r2 } = fit(&points)?;
+    let most = points.iter().map(|point| point.1).fold(0.0, f64::max);
+    let remark = format!(
+        "rT = {:.3} ms a VPL {} {:.3} s over {} numbers of VPLs; the offset is {:.1} % of the \
+         largest rT",
+        1e3 * slope,
+        if intercept < 0.0 { "−" } else { "+" },
+        intercept.abs(),
+        points.len(),
+        100.0 * intercept.abs() / most,
+    );
+    Some((vec![Criterion::new("R² of a straight line", r2, 0.99..=f64::INFINITY)], remark))
+}
+
+fn iterations(rows: &[Row]) -> Judgement {
+    let errors: Vec<_> = of(rows, ITERATIONS).filter_map(|row| Some(row.error?.nrmse)).collect();
+    let (first, fourth, last) = (*errors.first()?, *errors.get(3)?, *errors.last()?);
+    let largest = errors[3..].iter().map(|error| (error / last - 1.0).abs()).fold(0.0, f64::max);
+    let what = "largest change of nRMSE from 4 iterations on, relative to the last";
+    let remark = format!(
+        "nRMSE {} after 1, {} after 4, {} after {} iterations",
+        percent(first),
+        percent(fourth),
+        percent(last),
+        errors.len(),
+    );
+    Some((vec![Criterion::new(what, largest, 0.0..=0.05)], remark))
+}
+
+fn stride(rows: &[Row]) -> Judgement {
+    let rows: Vec<_> = of(rows, STRIDE).collect();
+    let seconds = |index: usize| Some(rows.get(index)?.times.phases.cluster_points);
+    let error = |index: usize| Some(rows.get(index)?.error?.nrmse);
+    let ratio = seconds(0)? / seconds(1)?;
+    let remark = format!(
+        "strides 4 and 8 are {:.2} and {:.2} times faster; nRMSE {} at stride 1, then {}, {}, \
+         {}. The first and the last of 4 iterations see all points, so a stride of 2 cannot \
+         save more than a quarter of the assignments",
+        seconds(0)? / seconds(2)?,
+        seconds(0)? / seconds(3)?,
+        percent(error(0)?),
+        percent(error(1)?),
+        percent(error(2)?),
+        percent(error(3)?),
+    );
+    Some((vec![Criterion::new("times faster at stride 2", ratio, 5.0..=f64::INFINITY)], remark))
+}
+
+fn clusters(rows: &[Row]) -> Judgement {
+    let mut found = of(rows, CLUSTERS);
+    let (mean, member) = (found.next()?, found.next()?);
+    let error = mean.error?;
+    let remark = format!(
+        "{} VPLs in {} clusters, bias {}; with a member in the place of the mean, nRMSE {}",
+        mean.vpls,
+        mean.vpl_clusters?,
+        percent(error.bias),
+        percent(member.error?.nrmse),
+    );
+    let time = 1.0 / mean.speedup?;
+    let criteria = vec![
+        Criterion::new("nRMSE against all VPLs", error.nrmse, 0.0..=0.02),
+        Criterion::new("tT relative to all VPLs", time, 0.0..=0.6),
+    ];
+    Some((criteria, remark))
+}
+
+fn visibility(rows: &[Row]) -> Judgement {
+    let vpl = of(rows, TABLE_VPL).last()?;
+    let find = |points| of(rows, TABLE_VPC).find(|row| row.wanted_point_clusters == Some(points));
+    let show = |row: &Row| {
+        let phases = &row.times.phases;
+        format!("{:.3} s of visibility and {:.3} s of shading", phases.visibility, phases.shading)
+    };
+    let phases = &vpl.times.phases;
+    let remark = format!(
+        "`vpl` takes {}; `vpc` takes {} with 100 clusters (thesis: 0.055 s and 49.203 s), {} \
+         with 8000 (thesis: 4.559 s and 50.323 s)",
+        show(vpl),
+        show(find(100)?),
+        show(find(8000)?),
+    );
+    let ratio = phases.visibility / phases.shading;
+    let what = "visibility over shading, `vpl` 2000 × 2";
+    Some((vec![Criterion::new(what, ratio, 2.0..=4.0)], remark))
+}
+
+fn of<'a>(rows: &'a [Row], experiment: &'static str) -> impl Iterator<Item = &'a Row> {
+    rows.iter().filter(move |row| row.experiment == experiment)
+}
+
+/// The line with the least sum of squared residuals; none without two different abscissae.
+fn fit(points: &[(f64, f64)]) -> Option<Line> {
+    let count = points.len() as f64;
+    let mean_x = points.iter().map(|point| point.0).sum::<f64>() / count;
+    let mean_y = points.iter().map(|point| point.1).sum::<f64>() / count;
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    for (x, y) in points {
+        let (x, y) = (x - mean_x, y - mean_y);
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+    }
+    let slope = xy / xx;
+    let r2 = if yy == 0.0 { 1.0 } else { xy * xy / (xx * yy) };
+    (xx > 0.0).then_some(Line { slope, intercept: mean_y - slope * mean_x, r2 })
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.2} %", 100.0 * share)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_fitted() {
+        let line = fit(&[(0.0, 1.0), (1.0, 3.0), (2.0, 5.0)]).unwrap();
+        assert_eq!(line, Line { slope: 2.0, intercept: 1.0, r2: 1.0 });
+        let bent = fit(&[(0.0, 0.0), (1.0, 1.0), (2.0, 4.0), (3.0, 9.0)]).unwrap();
+        assert!((bent.slope - 3.0).abs() < 1e-12 && (bent.r2 - 45.0 / 49.0).abs() < 1e-12);
+        assert_eq!(fit(&[(1.0, 1.0), (1.0, 2.0)]), None);
+        assert_eq!(fit(&[]), None);
+    }
+
+    #[test]
+    fn a_criterion_decides() {
+        let verdict = |value| {
+            let criteria = vec![Criterion::new("x", value, 2.0..=4.0)];
+            claim("c", Some((criteria, String::new()))).verdict
+        };
+        assert_eq!(verdict(3.0), Verdict::Confirmed);
+        assert_eq!(verdict(1.9), Verdict::Refuted);
+        assert_eq!(verdict(4.1), Verdict::Refuted);
+        assert_eq!(verdict(f64::NAN), Verdict::Refuted);
+        assert_eq!(claim("c", None).verdict, Verdict::NotMeasured);
+    }
+}
