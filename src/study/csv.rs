@@ -10,7 +10,7 @@ type Column = (&'static str, fn(&Row) -> String);
 
 /// Seconds are of warm frames; `thesis_` ones the thesis's; errors against `vpl` with the same
 /// VPLs and clamp.
-const COLUMNS: [Column; 35] = [
+const COLUMNS: [Column; 37] = [
     ("experiment", |row| row.experiment.to_owned()),
     ("setting", |row| row.setting.clone()),
     ("method", |row| row.method.to_owned()),
@@ -30,6 +30,8 @@ const COLUMNS: [Column; 35] = [
     ("preprocess", |row| row.times.preprocess.to_string()),
     ("render", |row| row.times.render.to_string()),
     ("total", |row| row.times.seconds.to_string()),
+    ("frames", |row| row.frames.to_string()),
+    ("slowest_total", |row| row.slowest.to_string()),
     ("visible_points", |row| row.times.phases.visible_points.to_string()),
     ("direct", |row| row.times.phases.direct.to_string()),
     ("generate_vpls", |row| row.times.phases.vpls.to_string()),

@@ -46,7 +46,9 @@ const PHASES: [Column; 9] = [
 /// The end of every table.
 const ERRORS: [Column; 2] = [
     ("relMSE", |row| maybe(row.error.map(|error| error.relmse), |value| format!("{value:.2e}"))),
-    ("bias", |row| maybe(row.error.map(|error| error.bias), percent)),
+    ("bias", |row| {
+        maybe(row.error.map(|error| error.bias), |value| format!("{:.3} %", 100.0 * value))
+    }),
 ];
 
 /// Writes the results of these experiments.
@@ -61,7 +63,7 @@ pub fn write(
     head(out, results)?;
     for experiment in experiments {
         let rows = || results.rows.iter().filter(|row| row.experiment == experiment.name);
-        writeln!(out, "\n## {}: {}\n", experiment.name, experiment.title)?;
+        writeln!(out, "\n## {}. {}\n", experiment.name, experiment.title)?;
         let published = rows().any(|row| row.thesis.is_some());
         let columns = if published { &PUBLISHED[..] } else { &PHASES[..] };
         table(out, &[columns, &ERRORS].concat(), rows())?;
@@ -86,11 +88,12 @@ fn head(out: &mut (impl Write + ?Sized), results: &Results) -> io::Result<()> {
     )?;
     writeln!(
         out,
-        "Seconds by the wall clock, of one warm frame each: pT generates VPLs and clusters, rT \
+        "Seconds by the wall clock, of one warm frame, of `vpl` the faster of two: pT generates VPLs and clusters, rT \
          is visibility and shading, tT here the whole frame (visible points, direct light and \
          read-back included; the thesis's is pT + rT, on a machine it does not name). \"Over \
          `vpl`\" is how many times faster tT is than without clustering, on the same machine. \
-         Settings that stand in several tables were rendered once. The errors of clustering \
+         Settings that stand in several tables were measured once. Paths end by Russian \
+         roulette, so paths × bounces is the most VPLs there can be. The errors of clustering \
          are those of the whole image, direct light included, against `vpl` with the same VPLs \
          and the same clamp; direct light is computed at each pixel, where the thesis shares \
          its visibility in a cluster as well."

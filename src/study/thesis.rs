@@ -131,7 +131,7 @@ fn linear() -> Experiment {
 
 fn iterations() -> Experiment {
     let run = |point_iterations| Run {
-        setting: format!("{point_iterations} iterations"),
+        setting: format!("iterations = {point_iterations}"),
         settings: point_clusters(Clustering { point_iterations, ..published_options() }),
         thesis: None,
     };
@@ -144,13 +144,13 @@ fn iterations() -> Experiment {
 
 fn stride() -> Experiment {
     let run = |stride| Run {
-        setting: format!("stride {stride}"),
+        setting: format!("stride = {stride}"),
         settings: point_clusters(Clustering { stride, ..published_options() }),
         thesis: None,
     };
     Experiment {
         name: STRIDE,
-        title: "`vpc`, C = 2600: middle iterations see one point in a stride",
+        title: "`vpc`, C = 2600: all iterations but the last see one point in a stride",
         runs: [1, 2, 4, 8].map(run).into(),
     }
 }
