@@ -6,7 +6,7 @@
 //! Data flows one way:
 //!
 //! ```text
-//! scene → bvh → visible points → VPLs → visibility → shading → image
+//! scene → bvh → visible points → VPLs → clusters → visibility → shading → image
 //! ```
 //!
 //! 1. [`scene`] reads a scene file, a bare mesh or makes a built-in scene: triangles,
@@ -17,10 +17,13 @@
 //! 4. **VPLs**: the host traces light paths; each hit deposits a virtual point light.
 //! 5. **Visible points**: camera rays, for each sample of every pixel of a tile.
 //! 6. **Direct light**: shadow rays to point lights and to samples of area lights.
-//! 7. **Visibility**: a bit for each visible point and VPL.
-//! 8. **Shading**: every visible point gathers every VPL that it sees.
-//! 9. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done and
-//!    how long it took.
+//! 7. **Clusters**, in the methods that use them: [`cluster`] finds visible points, and VPLs,
+//!    that may share visibility.
+//! 8. **Visibility**: a bit for each row (a visible point, or the representative of a cluster
+//!    of them) and each VPL.
+//! 9. **Shading**: every visible point gathers every VPL that it sees.
+//! 10. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
+//!     and how long it took; [`study`] renders in many settings and compares.
 //!
 //! A kernel is an ordered list of the files in `shaders/`, chosen by what the scene and the
 //! settings need; the list is in one place, `src/render/kernels.rs`.
