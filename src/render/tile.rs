@@ -302,8 +302,9 @@ impl<'a> TileRenderer<'a> {
         (0..all).step_by(TILE_BLOCKS as usize).flat_map(move |first_block| {
             let blocks = TILE_BLOCKS.min(all - first_block);
             (0..samples).map(move |sample| {
-                let before = first_block * samples + sample * blocks;
-                let first_point = before as usize * BLOCK as usize;
+                let [before, every, done, own] =
+                    [first_block, samples, sample, blocks].map(|n| n as usize);
+                let first_point = (before * every + done * own) * BLOCK as usize;
                 Tile { first_block, blocks, sample, first_point }
             })
         })
