@@ -10,6 +10,10 @@ struct VisibilityParams {
     nodes: u32,
     first: u32,
     count: u32,
+    first_point: u32,
+    pad0: u32,
+    pad1: u32,
+    pad2: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: VisibilityParams;

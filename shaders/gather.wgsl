@@ -6,9 +6,9 @@ struct ShadeParams {
     matrix_word: u32,
     words: u32,
     bound: f32,
+    first_point: u32,
     pad0: u32,
     pad1: u32,
-    pad2: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: ShadeParams;

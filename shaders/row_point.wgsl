@@ -1,5 +1,5 @@
 // Every point has its own row of the bit matrix.
 
 fn row_of(point: u32) -> Rows {
-    return point;
+    return point - params.first_point;
 }

@@ -46,14 +46,3 @@ fn stratified(index: u32, weight: f32, seed: u32) -> vec2f {
     let y = owen(reverseBits(index), hash(seed ^ 0x3c6ef372u));
     return vec2f((f32(index) + jitter) * weight, f32(y >> 8u) * (1.0 / 16777216.0));
 }
-
-// The pixel of a point: blocks of 8 x 8 in rows, Morton order inside, so that neighbouring
-// points are neighbouring pixels.
-fn pixel_of(point: u32, first_block: u32, width: u32) -> vec2u {
-    let across = (width + 7u) / 8u;
-    let block = first_block + point / 64u;
-    let i = point % 64u;
-    let x = (i & 1u) | ((i >> 1u) & 2u) | ((i >> 2u) & 4u);
-    let y = ((i >> 1u) & 1u) | ((i >> 2u) & 2u) | ((i >> 3u) & 4u);
-    return vec2u((block % across) * 8u + x, (block / across) * 8u + y);
-}

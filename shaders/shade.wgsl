@@ -4,8 +4,9 @@
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.points { return; }
-    let point = points[id.x];
-    let row = row_of(id.x);
+    let at = params.first_point + id.x;
+    let point = points[at];
+    let row = row_of(at);
     var total = vec4f(0.0);
     for (var word = 0u; word < params.words; word++) {
         let seen = load_seen(row, word);
@@ -21,5 +22,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         }
         total += sum;
     }
-    irradiance[id.x] += total;
+    irradiance[at] += total;
 }

@@ -8,11 +8,12 @@ fn main(
     @builtin(subgroup_invocation_id) invocation: u32,
 ) {
     let lane = invocation & 7u;
-    let last = params.points - 1u;
-    let i0 = min(4u * id.x, last);
-    let i1 = min(4u * id.x + 1u, last);
-    let i2 = min(4u * id.x + 2u, last);
-    let i3 = min(4u * id.x + 3u, last);
+    let first = params.first_point + 4u * id.x;
+    let end = params.first_point + params.points;
+    let i0 = min(first, end - 1u);
+    let i1 = min(first + 1u, end - 1u);
+    let i2 = min(first + 2u, end - 1u);
+    let i3 = min(first + 3u, end - 1u);
     let x0 = points[i0];
     let x1 = points[i1];
     let x2 = points[i2];
@@ -104,8 +105,8 @@ fn main(
         total2 += sum2;
         total3 += sum3;
     }
-    if 4u * id.x < params.points { irradiance[i0] += total0; }
-    if 4u * id.x + 1u < params.points { irradiance[i1] += total1; }
-    if 4u * id.x + 2u < params.points { irradiance[i2] += total2; }
-    if 4u * id.x + 3u < params.points { irradiance[i3] += total3; }
+    if first < end { irradiance[i0] += total0; }
+    if first + 1u < end { irradiance[i1] += total1; }
+    if first + 2u < end { irradiance[i2] += total2; }
+    if first + 3u < end { irradiance[i3] += total3; }
 }

@@ -4,7 +4,7 @@
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.rows { return; }
-    let point = points[id.x];
+    let point = points[params.first_point + id.x];
     let word = params.first_word + id.y;
     var seen = 0u;
     var rays = 0u;

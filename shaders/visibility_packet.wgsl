@@ -51,10 +51,10 @@ fn main(
     let word = params.first_word + id.y;
     let first = min(4u * id.x, params.rows - 1u);
     let last = params.rows - 1u;
-    let p0 = points[first];
-    let p1 = points[min(first + 1u, last)];
-    let p2 = points[min(first + 2u, last)];
-    let p3 = points[min(first + 3u, last)];
+    let p0 = points[params.first_point + first];
+    let p1 = points[params.first_point + min(first + 1u, last)];
+    let p2 = points[params.first_point + min(first + 2u, last)];
+    let p3 = points[params.first_point + min(first + 3u, last)];
     let e0 = p0.position + params.offset * p0.normal;
     let e1 = p1.position + params.offset * p1.normal;
     let e2 = p2.position + params.offset * p2.normal;

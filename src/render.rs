@@ -3,6 +3,7 @@
 mod film;
 mod gather;
 mod indirect;
+mod interleave;
 pub mod kernels;
 mod light;
 mod merge;
@@ -220,7 +221,8 @@ pub fn frame(
     }
 
     let gathered = if settings.method.is_indirect() { &lights[..] } else { &[] };
-    let indirect = Indirect::new(&prepared.gpu, gathered, columns.as_ref(), bound)?;
+    let subsets = if settings.interleaves() { settings.interleave.pow(2) } else { 1 };
+    let indirect = Indirect::new(&prepared.gpu, gathered, columns.as_ref(), bound, subsets)?;
     let renderer = TileRenderer::new(prepared, camera, settings, seed, indirect.as_ref())?;
     let shown = settings.method == Method::PointClusters;
     let clustered = match settings.method.clusters_points() && (indirect.is_some() || shown) {

@@ -100,7 +100,7 @@ fn wrong_usage_is_code_2() {
         ("render -o a.png --method bogus", "vpl, vplc, vpc, both, direct"),
         ("render -o a.png --method path", "not supported yet"),
         ("render -o a.png --direct clustered", "not supported yet"),
-        ("render -o a.png --interleave 2", "--interleave is not supported yet"),
+        ("render -o a.png --interleave 9", "9 is not in 1..=8"),
         ("render -o a.png --compensate", "--compensate is not supported yet"),
         ("study --preset thesis", "--output"),
         ("study -o dir", "--preset thesis"),
@@ -220,7 +220,7 @@ fn help_and_version_go_to_standard_output() {
         assert_eq!(outcome.stderr, "", "{line}");
     }
     let help = String::from_utf8(run("render --help").succeeds().stdout).unwrap();
-    assert!(!help.contains("--interleave"), "what is not supported yet is not offered");
+    assert!(!help.contains("--compensate"), "what is not supported yet is not offered");
 }
 
 #[cfg(unix)]

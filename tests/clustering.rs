@@ -7,6 +7,7 @@ mod common;
 use common::{Rng, difference, frame, open_gpu, room};
 use glam::{DVec3, Vec3};
 use gpu_vpl::gpu::Gpu;
+use gpu_vpl::image::Image;
 use gpu_vpl::render::{
     Clustering, Merge, Method, Prepared, Representative, Settings, VirtualLight, VplClusters,
 };
@@ -55,9 +56,7 @@ fn clusters_of_one_give_the_image_of_all_vpls() {
 fn few_clusters_are_near_the_image_of_all_vpls() {
     let prepared = prepared(open_gpu());
     let all = frame(&prepared, &settings(Method::Vpl, Clustering::default()));
-    let mean = |image: &gpu_vpl::image::Image| {
-        image.pixels.iter().flatten().map(|&c| f64::from(c)).sum::<f64>()
-    };
+    let mean = |image: &Image| image.pixels.iter().flatten().map(|&c| f64::from(c)).sum::<f64>();
     for method in CLUSTERED {
         for clustering in all_clusterings(200, 200) {
             let some = frame(&prepared, &settings(method, clustering));
@@ -85,6 +84,44 @@ fn images_do_not_depend_on_the_number_of_threads() {
             assert!(images[0] == images[1] && images[1] == images[2], "{method:?} {clustering:?}");
         }
     }
+}
+
+/// Every pixel gathers a subset, and what its neighbours gathered makes up for the rest: every
+/// method is near itself without interleaving, and nearer than a pixel by itself would be.
+#[test]
+fn interleaved_pixels_are_near_those_that_gather_all() {
+    let prepared = prepared(open_gpu());
+    for method in [Method::Vpl, Method::Vplc, Method::Vpc, Method::Both] {
+        for clustering in all_clusterings(100, 400) {
+            let all = settings(method, clustering);
+            let all_terms = frame(&prepared, &all).counts.shading_terms;
+            let reference = frame(&prepared, &all).image;
+            for interleave in [2, 3, 8] {
+                let some = frame(&prepared, &Settings { interleave, ..all });
+                let terms = some.counts.shading_terms * u64::from(interleave.pow(2));
+                assert!(terms.abs_diff(all_terms) <= 100, "{method:?}: {terms}");
+                let (off, spread) = deviation(&some.image, &reference);
+                let name = format!("{method:?} {interleave} {clustering:?}: {off} {spread}");
+                // Some surfaces are less than 8 pixels wide, and see few of the 64 subsets.
+                let (most_off, most_spread) =
+                    if interleave == 8 { (0.1, 0.2) } else { (0.02, 0.08) };
+                assert!(off.abs() < most_off && spread < most_spread, "{name}");
+            }
+        }
+    }
+}
+
+/// Relative: the mean of the difference, and its root mean square.
+fn deviation(image: &Image, reference: &Image) -> (f64, f64) {
+    let pairs = || {
+        let values = |image: &'_ Image| image.pixels.clone().into_iter().flatten();
+        values(image).zip(values(reference)).map(|(a, b)| (f64::from(a), f64::from(b)))
+    };
+    let count = pairs().count() as f64;
+    let mean = pairs().map(|(_, b)| b).sum::<f64>() / count;
+    let off = pairs().map(|(a, b)| a - b).sum::<f64>() / count;
+    let square = pairs().map(|(a, b)| (a - b).powi(2)).sum::<f64>() / count;
+    (off / mean, square.sqrt() / mean)
 }
 
 /// Lights of different colours merge to the sum of their light, channel by channel.

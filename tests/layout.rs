@@ -7,8 +7,9 @@ use std::collections::BTreeMap;
 use std::mem::offset_of;
 
 use gpu_vpl::gpu::{
-    AreaLightRecord, CameraParams, DirectParams, ExpandParams, MaterialRecord, NodeRecord,
-    PointLightRecord, PointRecord, ShadeParams, TriangleRecord, VisibilityParams, VplRecord,
+    AreaLightRecord, CameraParams, DirectParams, ExpandParams, InterleaveParams, MaterialRecord,
+    NodeRecord, PointLightRecord, PointRecord, ShadeParams, TriangleRecord, VisibilityParams,
+    VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};
@@ -89,10 +90,15 @@ fn records() -> Vec<Record> {
             share,
         }),
         record!(VisibilityParams as "VisibilityParams" {
-            rows, vpls, first_word, matrix_word, offset, nodes, first, count,
+            rows, vpls, first_word, matrix_word, offset, nodes, first, count, first_point, pad,
         }),
         record!(ExpandParams as "ExpandParams" { rows, matrix_word, words, pad }),
-        record!(ShadeParams as "ShadeParams" { points, rows, matrix_word, words, bound, pad }),
+        record!(ShadeParams as "ShadeParams" {
+            points, rows, matrix_word, words, bound, first_point, pad,
+        }),
+        record!(InterleaveParams as "InterleaveParams" {
+            width, height, s, rotation, subset_width, subset_points, points, pass_number,
+        }),
     ]
 }
 
@@ -148,7 +154,7 @@ fn all_modules() -> Vec<naga::Module> {
 #[test]
 fn host_records_are_laid_out_as_naga_does() {
     let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
-    assert_eq!(compared.len(), 12, "{compared:?}");
+    assert_eq!(compared.len(), 13, "{compared:?}");
 }
 
 #[test]

@@ -207,6 +207,10 @@ pub struct VisibilityParams {
     pub first: u32,
     /// VPLs of each word in this dispatch.
     pub count: u32,
+    /// The point of the first row.
+    pub first_point: u32,
+    /// Unused.
+    pub pad: [u32; 3],
 }
 
 /// Parameters of the pass that gives VPLs the visibility of their clusters.
@@ -223,11 +227,33 @@ pub struct ExpandParams {
     pub pad: u32,
 }
 
+/// Parameters of the passes of interleaved sampling.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct InterleaveParams {
+    /// Width of the tile in pixels.
+    pub width: u32,
+    /// Height of the tile in pixels.
+    pub height: u32,
+    /// Subsets along each axis.
+    pub s: u32,
+    /// By how many subsets this sample is ahead of the first.
+    pub rotation: u32,
+    /// Pixels across a subset.
+    pub subset_width: u32,
+    /// Points of a subset.
+    pub subset_points: u32,
+    /// Points of all subsets.
+    pub points: u32,
+    /// Of the two that combine.
+    pub pass_number: u32,
+}
+
 /// Parameters of the shading pass.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct ShadeParams {
-    /// Points of the tile.
+    /// Points to shade.
     pub points: u32,
     /// Rows of the bit matrix.
     pub rows: u32,
@@ -237,6 +263,8 @@ pub struct ShadeParams {
     pub words: u32,
     /// The bound on G.
     pub bound: f32,
+    /// The first point to shade.
+    pub first_point: u32,
     /// Unused.
-    pub pad: [u32; 3],
+    pub pad: [u32; 2],
 }

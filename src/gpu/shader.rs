@@ -39,6 +39,7 @@ pub mod module {
     modules! {
         TYPES = "types";
         SAMPLING = "sampling";
+        PIXELS = "pixels";
         RAY = "ray";
         TRAVERSE = "traverse";
         TRAVERSE_PACKET = "traverse_packet";
@@ -52,6 +53,10 @@ pub mod module {
         PACKET_RAYS = "packet_rays";
         VISIBILITY_PACKET = "visibility_packet" for "indirect light";
         EXPAND = "expand" for "visibility shared by VPL clusters";
+        INTERLEAVED = "interleaved" for "interleaved sampling";
+        SEPARATE = "separate" for "interleaved sampling";
+        COLLECT = "collect" for "interleaved sampling";
+        COMBINE = "combine" for "interleaved sampling";
         SEEN_HARD = "seen_hard";
         SEEN_FUZZY = "seen_fuzzy" for "fuzzy clusters";
         ROW_POINT = "row_point";

@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use super::indirect::Indirect;
+use super::interleave::Subsets;
 use super::kernels::{self, Sharing};
 use super::stages::{Named, Stage};
 use super::visible::PointClusters;
@@ -29,6 +30,14 @@ enum Rows {
     Points,
     /// Clusters of the whole frame, traced once; and which of them the points of a tile are in.
     Clusters { count: u32, of_points: wgpu::Buffer, weights: Option<wgpu::Buffer> },
+}
+
+/// Words of a chunk of the bit matrix; they are of one subset of the VPLs.
+#[derive(Debug, Clone, Copy)]
+struct Run {
+    subset: u32,
+    first_word: u32,
+    words: u32,
 }
 
 /// A chunk of the bit matrix, with what writes and reads it.
@@ -61,9 +70,20 @@ pub fn dispatch_rays(prepared: &Prepared) -> u32 {
     if large { DISPATCH_RAYS_LARGE } else { DISPATCH_RAYS }
 }
 
+/// The chunks of the bit matrix, in order.
+fn runs(indirect: &Indirect) -> impl Iterator<Item = Run> + use<> {
+    let (subsets, all) = (indirect.subsets, indirect.words);
+    (0..subsets).flat_map(move |subset| {
+        (0..all).step_by(CHUNK_WORDS as usize).map(move |word| {
+            let words = CHUNK_WORDS.min(all - word);
+            Run { subset, first_word: subset * all + word, words }
+        })
+    })
+}
+
 impl<'a> Gather<'a> {
-    /// For tiles of at most `points` points, each of which traces its own rays or, with
-    /// `clusters`, shares those of its cluster's representative.
+    /// For tiles of at most `points` points in a subset, each of which traces its own rays or,
+    /// with `clusters`, shares those of its cluster's representative.
     ///
     /// # Errors
     /// The device refuses.
@@ -90,7 +110,7 @@ impl<'a> Gather<'a> {
             None => (Rows::Points, points),
             Some(clusters) => {
                 let (count, shared) = (clusters.representatives.len(), clusters.shared);
-                let values = points as usize * shared;
+                let values = (indirect.subsets * points) as usize * shared;
                 let of_points = gpu.storage::<u32>("clusters of points", values)?;
                 let weights =
                     clusters.weights.as_ref().map(|_| gpu.storage::<f32>("weights", values));
@@ -114,7 +134,7 @@ impl<'a> Gather<'a> {
             gpu.storage::<u32>("visibility bits", rows_count as usize * words as usize)
         };
         let column_bits = match &indirect.columns {
-            Some(columns) => Some(matrix(columns.count.div_ceil(32))?),
+            Some(columns) => Some(matrix(columns.words)?),
             None => None,
         };
         let columns = match (&indirect.columns, &column_bits) {
@@ -125,9 +145,8 @@ impl<'a> Gather<'a> {
             }
             _ => None,
         };
-        let words = indirect.count.div_ceil(32);
-        let chunk = || {
-            let bits = matrix(CHUNK_WORDS.min(words))?;
+        let chunk = |words: u32| {
+            let bits = matrix(words)?;
             let bits = ("bits", &bits);
             let fill = match (&indirect.columns, &column_bits) {
                 (Some(columns), Some(column_bits)) => {
@@ -144,11 +163,8 @@ impl<'a> Gather<'a> {
             Ok::<_, GpuError>(Chunk { fill, shade })
         };
         let chunks = match clusters {
-            None => vec![chunk()?],
-            Some(_) => (0..words)
-                .step_by(CHUNK_WORDS as usize)
-                .map(|_| chunk())
-                .collect::<Result<_, _>>()?,
+            None => vec![chunk(CHUNK_WORDS.min(indirect.words))?],
+            Some(_) => runs(&indirect).map(|run| chunk(run.words)).collect::<Result<_, _>>()?,
         };
         let rays_at_once = Cell::new(32);
         Ok(Self { prepared, indirect, rows, columns, chunks, counter, rays_at_once })
@@ -165,14 +181,14 @@ impl<'a> Gather<'a> {
     ) -> Result<u64, GpuError> {
         let Rows::Clusters { count, .. } = self.rows else { return Ok(0) };
         let mut rays = self.trace_columns(count, phases, progress)?;
-        for (chunk, first_word) in self.chunks.iter().zip(self.chunk_words()) {
-            rays += self.fill(chunk, count, first_word, phases, progress)?;
+        for (chunk, run) in self.chunks.iter().zip(runs(&self.indirect)) {
+            rays += self.fill(chunk, self.visibility_params(count, run), run, phases, progress)?;
         }
         Ok(rays)
     }
 
     /// Tells which clusters the points of a tile are in: those of a range of the frame's
-    /// points.
+    /// points, or these in the order of subsets.
     ///
     /// # Errors
     /// The device fails.
@@ -180,17 +196,25 @@ impl<'a> Gather<'a> {
         &self,
         clusters: &PointClusters,
         points: Range<usize>,
+        subsets: Option<&Subsets>,
     ) -> Result<(), GpuError> {
         let Rows::Clusters { of_points, weights, .. } = &self.rows else { return Ok(()) };
-        let range = points.start * clusters.shared..points.end * clusters.shared;
-        self.prepared.gpu.write(of_points, &clusters.of_points[range.clone()])?;
-        match (weights, &clusters.weights) {
-            (Some(buffer), Some(weights)) => self.prepared.gpu.write(buffer, &weights[range]),
-            _ => Ok(()),
+        let (gpu, each) = (&self.prepared.gpu, clusters.shared);
+        let range = points.start * each..points.end * each;
+        let of_range = &clusters.of_points[range.clone()];
+        match subsets {
+            Some(subsets) => gpu.write(of_points, &subsets.separate(of_range, each))?,
+            None => gpu.write(of_points, of_range)?,
+        }
+        let (Some(buffer), Some(weights)) = (weights, &clusters.weights) else { return Ok(()) };
+        match subsets {
+            Some(subsets) => gpu.write(buffer, &subsets.separate(&weights[range], each)),
+            None => gpu.write(buffer, &weights[range]),
         }
     }
 
-    /// Adds the irradiance of all VPLs to the points of a tile. Returns the rays traced.
+    /// Adds to the points of a tile, so many a subset, the irradiance of the VPLs of their
+    /// subset. Returns the rays traced.
     ///
     /// # Errors
     /// The device fails.
@@ -204,21 +228,25 @@ impl<'a> Gather<'a> {
             Rows::Points => self.trace_columns(points, phases, progress)?,
             Rows::Clusters { .. } => 0,
         };
-        for (index, matrix_word) in self.chunk_words().enumerate() {
+        for (index, run) in runs(&self.indirect).enumerate() {
+            let first_point = run.subset * points;
             let (chunk, rows) = match self.rows {
                 Rows::Clusters { count, .. } => (&self.chunks[index], count),
                 Rows::Points => (&self.chunks[0], points),
             };
             if matches!(self.rows, Rows::Points) {
-                rays += self.fill(chunk, rows, matrix_word, phases, progress)?;
+                let params = self.visibility_params(rows, run);
+                let params = VisibilityParams { first_point, ..params };
+                rays += self.fill(chunk, params, run, phases, progress)?;
             }
             let params = ShadeParams {
                 points,
                 rows,
-                matrix_word,
-                words: CHUNK_WORDS.min(self.words() - matrix_word),
+                matrix_word: run.first_word,
+                words: run.words,
                 bound: self.indirect.bound.unwrap_or(0.0),
-                pad: [0; 3],
+                first_point,
+                pad: [0; 2],
             };
             let groups = [self.point_groups(points), 1];
             phases.shading += chunk.shade.run(self.prepared, &params, groups)?;
@@ -226,9 +254,9 @@ impl<'a> Gather<'a> {
         Ok(rays)
     }
 
-    /// How many VPLs are gathered.
-    pub fn vpls(&self) -> u32 {
-        self.indirect.count
+    /// Pairs of so many points with the VPLs that each gathers.
+    pub fn terms(&self, points: u64) -> u64 {
+        points * u64::from(self.indirect.count) / u64::from(self.indirect.subsets)
     }
 
     /// Traces the columns that VPLs share, if they do. Returns the rays.
@@ -241,40 +269,42 @@ impl<'a> Gather<'a> {
         let (Some(stage), Some(columns)) = (&self.columns, &self.indirect.columns) else {
             return Ok(0);
         };
-        let words = columns.count.div_ceil(32);
-        let params = VisibilityParams { vpls: columns.count, ..self.visibility_params(rows, 0) };
-        self.trace(stage, params, words, phases, progress)
+        let run = Run { subset: 0, first_word: 0, words: columns.words };
+        self.trace(stage, self.visibility_params(rows, run), run.words, phases, progress)
     }
 
     /// Writes the bits of a chunk: traces them, or copies them from the columns.
     fn fill(
         &self,
         chunk: &Chunk,
-        rows: u32,
-        matrix_word: u32,
+        params: VisibilityParams,
+        run: Run,
         phases: &mut Phases,
         progress: &dyn Fn(f64),
     ) -> Result<u64, GpuError> {
-        let words = CHUNK_WORDS.min(self.words() - matrix_word);
         if self.columns.is_none() {
-            let params = self.visibility_params(rows, matrix_word);
-            return self.trace(&chunk.fill, params, words, phases, progress);
+            return self.trace(&chunk.fill, params, run.words, phases, progress);
         }
-        let params = ExpandParams { rows, matrix_word, words, pad: 0 };
-        phases.visibility += chunk.fill.run(self.prepared, &params, [rows.div_ceil(64), words])?;
+        let Run { first_word: matrix_word, words, .. } = run;
+        let params = ExpandParams { rows: params.rows, matrix_word, words, pad: 0 };
+        let groups = [params.rows.div_ceil(64), words];
+        phases.visibility += chunk.fill.run(self.prepared, &params, groups)?;
         Ok(0)
     }
 
-    fn visibility_params(&self, rows: u32, matrix_word: u32) -> VisibilityParams {
+    fn visibility_params(&self, rows: u32, run: Run) -> VisibilityParams {
         VisibilityParams {
             rows,
-            vpls: self.indirect.count,
-            first_word: matrix_word,
-            matrix_word,
+            // What fills the last word up has no normal, and no ray is traced to it.
+            vpls: 32 * (run.first_word + run.words),
+            first_word: run.first_word,
+            matrix_word: run.first_word,
             offset: SURFACE_OFFSET,
             nodes: self.prepared.bvh.nodes.len() as u32,
             first: 0,
             count: 32,
+            first_point: 0,
+            pad: [0; 3],
         }
     }
 
@@ -292,7 +322,8 @@ impl<'a> Gather<'a> {
         let mut rays = 0;
         for offset in (0..words).step_by(slice as usize) {
             let first_word = params.matrix_word + offset;
-            progress(f64::from(first_word) / f64::from(self.words()));
+            let all = self.indirect.words * self.indirect.subsets;
+            progress(f64::from(first_word) / f64::from(all));
             let groups = [self.point_groups(params.rows), slice.min(words - offset)];
             let params = VisibilityParams { first_word, ..params };
             rays += self.trace_words(visibility, params, groups)?;
@@ -325,16 +356,6 @@ impl<'a> Gather<'a> {
                 _ => return Err(GpuError::LoopCut),
             }
         }
-    }
-
-    /// Words of 32 VPLs.
-    fn words(&self) -> u32 {
-        self.indirect.count.div_ceil(32)
-    }
-
-    /// The first word of each chunk.
-    fn chunk_words(&self) -> impl Iterator<Item = u32> + use<> {
-        (0..self.words()).step_by(CHUNK_WORDS as usize)
     }
 
     /// Workgroups for so many points: with subgroups a lane has four.

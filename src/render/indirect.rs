@@ -10,8 +10,12 @@ use crate::gpu::{Gpu, GpuError, VplRecord};
 pub struct Indirect {
     /// How many there are.
     pub count: u32,
-    /// Filled up to whole words.
+    /// Subset after subset, each filled up to whole words.
     pub buffer: wgpu::Buffer,
+    /// Words of 32 in each subset.
+    pub words: u32,
+    /// How many subsets there are; a point gathers one.
+    pub subsets: u32,
     /// The bound on G, in normalised units.
     pub bound: Option<f32>,
     /// The clusters whose visibility they share, if they do.
@@ -21,8 +25,8 @@ pub struct Indirect {
 /// Clusters of VPLs that share visibility.
 #[derive(Debug)]
 pub struct Columns {
-    /// How many there are.
-    pub count: u32,
+    /// Words of 32 of them.
+    pub words: u32,
     /// What shadow rays are traced to, filled up to whole words.
     pub buffer: wgpu::Buffer,
     /// The cluster of each VPL, filled up to whole words.
@@ -39,30 +43,32 @@ impl Indirect {
         lights: &[VirtualLight],
         columns: Option<&VplClusters>,
         bound: Option<f32>,
+        subsets: u32,
     ) -> Result<Option<Self>, GpuError> {
         if lights.is_empty() {
             return Ok(None);
         }
-        let order = curve(lights);
-        let buffer = gpu.storage_of("VPLs", &records(lights, &order))?;
+        let order = deal(&curve(lights), subsets as usize);
+        let buffer = gpu.storage_of("VPLs", &records(lights, &order, subsets as f32))?;
         let columns = columns.map(|clusters| Columns::new(gpu, clusters, &order)).transpose()?;
-        Ok(Some(Self { count: lights.len() as u32, buffer, bound, columns }))
+        let words = (order.len() / 32) as u32 / subsets;
+        Ok(Some(Self { count: lights.len() as u32, words, subsets, buffer, bound, columns }))
     }
 }
 
 impl Columns {
-    fn new(gpu: &Gpu, clusters: &VplClusters, vpls: &[u32]) -> Result<Self, GpuError> {
-        let order = curve(&clusters.lights);
-        let mut column_of = vec![0; order.len()];
-        for (column, &cluster) in (0..).zip(&order) {
+    fn new(gpu: &Gpu, clusters: &VplClusters, vpls: &[Option<u32>]) -> Result<Self, GpuError> {
+        let curve = curve(&clusters.lights);
+        let order = deal(&curve, 1);
+        let mut column_of = vec![0; curve.len()];
+        for (column, &cluster) in (0..).zip(&curve) {
             column_of[cluster as usize] = column;
         }
-        let mut of_vpls: Vec<u32> =
-            vpls.iter().map(|&vpl| column_of[clusters.of_lights[vpl as usize] as usize]).collect();
-        of_vpls.resize(vpls.len().next_multiple_of(32), 0);
+        let of_vpl = |vpl: u32| column_of[clusters.of_lights[vpl as usize] as usize];
+        let of_vpls: Vec<u32> = vpls.iter().map(|vpl| vpl.map_or(0, of_vpl)).collect();
         Ok(Self {
-            count: order.len() as u32,
-            buffer: gpu.storage_of("VPL clusters", &records(&clusters.lights, &order))?,
+            words: (order.len() / 32) as u32,
+            buffer: gpu.storage_of("VPL clusters", &records(&clusters.lights, &order, 1.0))?,
             of_vpls: gpu.storage_of("clusters of VPLs", &of_vpls)?,
         })
     }
@@ -75,24 +81,34 @@ fn curve(lights: &[VirtualLight]) -> Vec<u32> {
     order
 }
 
-/// The lights in an order, filled up to whole words of 32 with lights of no intensity.
-fn records(lights: &[VirtualLight], order: &[u32]) -> Vec<VplRecord> {
-    let mut records: Vec<VplRecord> = order
-        .iter()
-        .map(|&index| {
-            let light = &lights[index as usize];
-            VplRecord {
-                position: light.position.to_array(),
-                pad0: 0.0,
-                normal: light.normal.to_array(),
-                pad1: 0.0,
-                intensity: light.intensity.to_array(),
-                mean: light.intensity.element_sum() / 3.0,
-            }
-        })
-        .collect();
-    records.resize(lights.len().next_multiple_of(32), bytemuck::Zeroable::zeroed());
-    records
+/// Deals an order out to subsets, so that each is spread along it, and fills each up to whole
+/// words of 32.
+fn deal(order: &[u32], subsets: usize) -> Vec<Option<u32>> {
+    let each = order.len().div_ceil(subsets).next_multiple_of(32);
+    let mut dealt = Vec::with_capacity(subsets * each);
+    for first in 0..subsets {
+        let subset = order.iter().skip(first).step_by(subsets);
+        dealt.extend(subset.copied().map(Some));
+        dealt.resize((first + 1) * each, None);
+    }
+    dealt
+}
+
+/// The lights in an order, `scale` times as bright; where it has none, one of no intensity.
+fn records(lights: &[VirtualLight], order: &[Option<u32>], scale: f32) -> Vec<VplRecord> {
+    let record = |index: u32| {
+        let light = &lights[index as usize];
+        let intensity = light.intensity * scale;
+        VplRecord {
+            position: light.position.to_array(),
+            pad0: 0.0,
+            normal: light.normal.to_array(),
+            pad1: 0.0,
+            intensity: intensity.to_array(),
+            mean: intensity.element_sum() / 3.0,
+        }
+    };
+    order.iter().map(|index| index.map_or_else(bytemuck::Zeroable::zeroed, record)).collect()
 }
 
 /// Interleaved bits of a position, 21 an axis; normalised coordinates lie within [-2, 2].

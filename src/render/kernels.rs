@@ -4,10 +4,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
-    BITS, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, EXPAND, GATHER, PACKET_RAYS, PACKET_SHAFT,
-    PAIR_BOUNDED, PAIR_UNBOUNDED, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING,
-    SEEN_FUZZY, SEEN_HARD, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
-    TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    BITS, COLLECT, COMBINE, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, EXPAND, GATHER, INTERLEAVED,
+    PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, RAY, REFLECT, REMOVED,
+    ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE,
+    SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY,
+    VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -18,7 +19,7 @@ fn traverse(subgroups: bool) -> &'static Module {
 
 /// Camera rays.
 pub fn visible_points(subgroups: bool) -> Program {
-    let modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &VISIBLE];
+    let modules = vec![&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(subgroups), &VISIBLE];
     Program { label: "visible points", modules }
 }
 
@@ -88,6 +89,16 @@ pub fn visibility_for(prepared: &Prepared) -> Program {
 /// Visibility of VPLs from that of their clusters.
 pub fn expand() -> Program {
     Program { label: "expansion", modules: vec![&EXPAND] }
+}
+
+/// The passes of interleaved sampling: points into the order of subsets; what they have
+/// gathered into rows of pixels; and what the pixels around have gathered.
+pub fn interleave() -> [Program; 3] {
+    let passes = [("separation", &SEPARATE), ("collection", &COLLECT), ("combination", &COMBINE)];
+    passes.map(|(label, module)| {
+        let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, module];
+        Program { label, modules }
+    })
 }
 
 /// Whose row of the bit matrix a point reads.
@@ -168,6 +179,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         ]);
         programs.extend(bounded.then(removed));
         programs.extend(settings.shares_columns().then(expand));
+        programs.extend(settings.interleaves().then(interleave).into_iter().flatten());
     }
     programs
 }
@@ -216,6 +228,7 @@ impl Kernels {
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
     let mut programs = vec![emit(), reflect(), removed(), expand()];
+    programs.extend(interleave());
     programs.extend([Tracing::Single, Tracing::Shaft, Tracing::Rays].map(visibility));
     for subgroups in [false, true] {
         programs.push(visible_points(subgroups));

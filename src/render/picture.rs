@@ -20,9 +20,11 @@ const BLUE: [f32; 3] = [0.02, 0.08, 1.0];
 pub fn point_clusters(clustered: &Clustered, image: &mut Image) {
     let clusters = &clustered.clusters;
     let mut marks = Vec::new();
-    for tile in clustered.tiles.iter().filter(|tile| tile.sample == 0) {
-        for (point, index) in (0..tile.points()).zip(tile.first_point..) {
-            let [x, y] = pixel_of(point, tile.first_block, image.width);
+    for tile in clustered.tiling.tiles().filter(|tile| tile.sample == 0) {
+        let first = tile.of_frame().start;
+        for point in tile.own() {
+            let index = first + point;
+            let [x, y] = pixel_of(point as u32, tile.first_block, image.width);
             let hit = clustered.records[index].surface != PointRecord::NOTHING;
             if hit && x < image.width && y < image.height {
                 let cluster = clusters.of_points[index * clusters.shared];

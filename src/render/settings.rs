@@ -125,6 +125,9 @@ pub struct Settings {
     pub samples: u32,
     /// How visible points and VPLs are clustered, where the method does so.
     pub clustering: Clustering,
+    /// A pixel gathers one of s² subsets of the VPLs, up to [`Settings::MOST_INTERLEAVE`]²; 1 is
+    /// all.
+    pub interleave: u32,
 }
 
 /// K-means of the visible points and of the VPLs.
@@ -203,11 +206,15 @@ impl Default for Settings {
             clamp: Clamp::Auto,
             samples: 1,
             clustering: Clustering::default(),
+            interleave: 1,
         }
     }
 }
 
 impl Settings {
+    /// A pixel combines with those up to one block of 8 × 8 away.
+    pub const MOST_INTERLEAVE: u32 = 8;
+
     /// Whether there is indirect light to gather.
     pub fn traces_light_paths(&self) -> bool {
         self.method.is_indirect() && self.bounces != Bounces::Finite(0)
@@ -216,6 +223,11 @@ impl Settings {
     /// Whether VPLs share the visibility of their cluster.
     pub fn shares_columns(&self) -> bool {
         self.method.clusters_vpls() && self.clustering.merge == Merge::Visibility
+    }
+
+    /// Whether pixels gather subsets of the VPLs.
+    pub fn interleaves(&self) -> bool {
+        self.method.is_indirect() && self.interleave > 1
     }
 
     /// Whose visibility a visible point uses.

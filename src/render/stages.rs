@@ -4,10 +4,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::film::{BLOCK, TILE_BLOCKS, image_blocks};
 use super::{Direct, Prepared, Settings, kernels};
 use crate::gpu::{Bindings, CameraParams, Gpu, GpuError, Kernel, Pass, PointRecord, Program};
-use crate::scene::Camera;
 
 /// A kernel with its buffers bound, and the buffer of its parameters.
 #[derive(Debug)]
@@ -82,19 +80,18 @@ pub struct Stages {
 }
 
 impl Stages {
-    /// Allocates the buffers of a tile and binds the kernels that a frame needs; `indirect`
+    /// Allocates the buffers of a tile of at most so many points, and binds the kernels that a frame needs; `indirect`
     /// is whether there are VPLs, `clamps` whether they are bounded.
     ///
     /// # Errors
     /// The device refuses.
     pub fn new(
         prepared: &Prepared,
-        camera: &Camera,
+        points: usize,
         settings: &Settings,
         indirect: bool,
         clamps: bool,
     ) -> Result<Self, GpuError> {
-        let points = (image_blocks(camera).min(TILE_BLOCKS) * BLOCK) as usize;
         let lit = settings.method.is_lit();
         let direct = lit && settings.direct == Direct::PerPixel;
         let buffers = Buffers::new(&prepared.gpu, points, direct || indirect, clamps)?;

@@ -3,9 +3,12 @@
 
 use std::time::{Duration, Instant};
 
-use super::film::{BLOCK, TILE_BLOCKS, develop, image_blocks};
+use bytemuck::Zeroable;
+
+use super::film::{Tile, Tiling, develop};
 use super::gather::{Gather, dispatch_rays};
 use super::indirect::Indirect;
+use super::interleave::Interleave;
 use super::stages::{Stage, Stages};
 use super::visible::PointClusters;
 use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};
@@ -21,15 +24,18 @@ pub struct TileRenderer<'a> {
     camera: &'a Camera,
     settings: &'a Settings,
     seed: u32,
+    tiling: Tiling,
     stages: Stages,
+    /// Where pixels gather subsets of the VPLs.
+    interleave: Option<Interleave>,
 }
 
-/// The visible points of a whole frame in the order of tiles and samples, and their clusters.
+/// The visible points of a whole frame in the order of samples and tiles, and their clusters.
 #[derive(Debug)]
 pub struct Clustered {
-    /// The tiles, in order.
-    pub tiles: Vec<Tile>,
-    /// What their camera rays have hit.
+    /// How the image makes tiles.
+    pub tiling: Tiling,
+    /// What the camera rays have hit.
     pub records: Vec<PointRecord>,
     /// Who is in which cluster.
     pub clusters: PointClusters,
@@ -39,26 +45,6 @@ impl Clustered {
     /// How many clusters there are.
     pub fn count(&self) -> u64 {
         self.clusters.representatives.len() as u64
-    }
-}
-
-/// A run of blocks, and the sample of its pixels that is being taken.
-#[derive(Debug, Clone, Copy)]
-pub struct Tile {
-    /// The first of its blocks in the image.
-    pub first_block: u32,
-    /// How many blocks it has.
-    pub blocks: u32,
-    /// Which sample of each pixel.
-    pub sample: u32,
-    /// The first of its points among all of the frame's.
-    pub first_point: usize,
-}
-
-impl Tile {
-    /// How many points it has.
-    pub fn points(&self) -> u32 {
-        self.blocks * BLOCK
     }
 }
 
@@ -75,8 +61,17 @@ impl<'a> TileRenderer<'a> {
         indirect: Option<&Indirect>,
     ) -> Result<Self, GpuError> {
         let clamps = indirect.is_some_and(|indirect| indirect.bound.is_some());
-        let stages = Stages::new(prepared, camera, settings, indirect.is_some(), clamps)?;
-        Ok(Self { prepared, camera, settings, seed, stages })
+        let tiling = tiling(camera, settings);
+        let points = tiling.most_points() as usize;
+        let stages = Stages::new(prepared, points, settings, indirect.is_some(), clamps)?;
+        let interleave = match (&stages.buffers.irradiance, indirect) {
+            (Some(combined), Some(_)) if settings.interleaves() => {
+                let (s, named) = (settings.interleave, stages.buffers.named(prepared));
+                Some(Interleave::new(prepared, s, &tiling, &named, combined)?)
+            }
+            _ => None,
+        };
+        Ok(Self { prepared, camera, settings, seed, tiling, stages, interleave })
     }
 
     /// Finds all visible points and clusters them. `None` if nothing is seen.
@@ -88,23 +83,23 @@ impl<'a> TileRenderer<'a> {
         phases: &mut Phases,
         progress: Progress<'_>,
     ) -> Result<Option<Clustered>, GpuError> {
-        let mut records = Vec::new();
+        let mut records = vec![PointRecord::zeroed(); self.tiling.all_points()];
         progress(0.0, "visible points");
-        for tile in self.tiles() {
+        for tile in self.tiling.tiles() {
             phases.visible_points +=
                 self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;
             let start = Instant::now();
-            let points = tile.points() as usize;
-            let read = self.prepared.gpu.read(&self.stages.buffers.points, points)?;
-            records.extend::<Vec<PointRecord>>(read);
+            let points = &self.stages.buffers.points;
+            let read: Vec<PointRecord> = self.prepared.gpu.read(points, tile.points() as usize)?;
+            records[tile.of_frame()].copy_from_slice(&read);
             phases.readback += start.elapsed();
         }
         progress(0.0, "clusters");
         let start = Instant::now();
         let clusters = PointClusters::of(&records, &self.settings.clustering, self.seed);
         phases.cluster_points += start.elapsed();
-        let tiles = self.tiles().collect();
-        Ok(clusters.map(|clusters| Clustered { tiles, records, clusters }))
+        let tiling = self.tiling;
+        Ok(clusters.map(|clusters| Clustered { tiling, records, clusters }))
     }
 
     /// What gathers the VPLs: from each point by itself, or with clusters that have been
@@ -117,8 +112,14 @@ impl<'a> TileRenderer<'a> {
         indirect: Indirect,
         clustered: Option<&Clustered>,
     ) -> Result<Gather<'a>, GpuError> {
-        let named = self.stages.buffers.named(self.prepared);
-        let points = image_blocks(self.camera).min(TILE_BLOCKS) * BLOCK;
+        let mut named = Vec::new();
+        // The first buffer of a name counts.
+        named.extend(self.interleave.iter().flat_map(Interleave::named));
+        named.extend(self.stages.buffers.named(self.prepared));
+        let points = match &self.interleave {
+            Some(interleave) => interleave.most_points(&self.tiling),
+            None => self.tiling.most_points(),
+        };
         let clusters = clustered.map(|clustered| &clustered.clusters);
         Gather::new(self.prepared, indirect, clusters, &named, points)
     }
@@ -144,17 +145,18 @@ impl<'a> TileRenderer<'a> {
         let (mut reflected, mut removed) = (0.0, 0.0);
         let buffers = &self.stages.buffers;
         let gpu = &self.prepared.gpu;
-        let tiles = self.tiles().count() as f64;
-        for (index, tile) in self.tiles().enumerate() {
+        let tiles = self.tiling.tiles().count() as f64;
+        for (index, tile) in self.tiling.tiles().enumerate() {
             if tile.sample == 0 {
                 gpu.clear(&[&buffers.film])?;
                 gpu.clear(&buffers.energy.iter().collect::<Vec<_>>())?;
             }
             let points = tile.points() as usize;
             if let (Some(clustered), Some(gather)) = (clustered, gather) {
-                let run = tile.first_point..tile.first_point + points;
+                let run = tile.of_frame();
+                let subsets = self.interleave.as_ref().map(|interleave| interleave.subsets(tile));
                 gpu.write(&buffers.points, &clustered.records[run.clone()])?;
-                gather.set_clusters(&clustered.clusters, run)?;
+                gather.set_clusters(&clustered.clusters, run, subsets.as_ref())?;
             } else {
                 phases.visible_points +=
                     self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;
@@ -167,11 +169,11 @@ impl<'a> TileRenderer<'a> {
             }
             let start = Instant::now();
             let film: Vec<[f32; 4]> = gpu.read(&buffers.film, points)?;
-            counts.visible_points += develop(tile.first_block, &film, weight, &mut image);
+            counts.visible_points += develop(tile, &film, weight, &mut image);
             if let Some(energy) = &buffers.energy {
-                for [kept, lost] in gpu.read::<[f32; 2]>(energy, points)? {
-                    reflected += f64::from(kept);
-                    removed += f64::from(lost);
+                for [kept, lost] in &gpu.read::<[f32; 2]>(energy, points)?[tile.own()] {
+                    reflected += f64::from(*kept);
+                    removed += f64::from(*lost);
                 }
             }
             phases.readback += start.elapsed();
@@ -209,11 +211,20 @@ impl<'a> TileRenderer<'a> {
             phases.direct += self.reflect(groups)?;
         }
         if let Some(gather) = gather {
-            self.clear_irradiance()?;
-            let points = tile.points();
             let show = |share| progress(share, "indirect light");
-            counts.shadow_rays += gather.gather(points, phases, &show)?;
-            counts.shading_terms += u64::from(points) * u64::from(gather.vpls());
+            match &self.interleave {
+                Some(interleave) => {
+                    phases.shading += interleave.separate(self.prepared, tile)?;
+                    let points = interleave.subsets(tile).points();
+                    counts.shadow_rays += gather.gather(points, phases, &show)?;
+                    phases.shading += interleave.combine(self.prepared, tile)?;
+                }
+                None => {
+                    self.clear_irradiance()?;
+                    counts.shadow_rays += gather.gather(tile.points(), phases, &show)?;
+                }
+            }
+            counts.shading_terms += gather.terms(u64::from(tile.points()));
             phases.shading += self.reflect(groups)?;
             if let Some(stage) = &self.stages.removed {
                 phases.shading += self.run(stage, &(), groups)?;
@@ -295,19 +306,20 @@ impl<'a> TileRenderer<'a> {
             nodes: self.prepared.bvh.nodes.len() as u32,
         }
     }
+}
 
-    /// All tiles with all their samples, sample after sample.
-    fn tiles(&self) -> impl Iterator<Item = Tile> + use<> {
-        let (all, samples) = (image_blocks(self.camera), self.settings.samples);
-        (0..all).step_by(TILE_BLOCKS as usize).flat_map(move |first_block| {
-            let blocks = TILE_BLOCKS.min(all - first_block);
-            (0..samples).map(move |sample| {
-                let [before, every, done, own] =
-                    [first_block, samples, sample, blocks].map(|n| n as usize);
-                let first_point = (before * every + done * own) * BLOCK as usize;
-                Tile { first_block, blocks, sample, first_point }
-            })
-        })
+/// Tiles for what they hold a point: much if every point has a row of the bit matrix.
+/// Interleaved sampling combines pixels with those around them.
+fn tiling(camera: &Camera, settings: &Settings) -> Tiling {
+    const BLOCKS_OF_ROWS: u32 = 1024;
+    const BLOCKS: u32 = 16_384;
+    let samples = settings.samples;
+    if settings.interleaves() {
+        Tiling::of_rows(camera, BLOCKS, samples)
+    } else if settings.method.clusters_points() {
+        Tiling::of_runs(camera, BLOCKS, samples)
+    } else {
+        Tiling::of_runs(camera, BLOCKS_OF_ROWS, samples)
     }
 }
 

@@ -53,7 +53,8 @@ pub fn irradiance(
         matrix_word,
         words: bits.len() as u32 / count,
         bound: bound.unwrap_or(0.0),
-        pad: [0; 3],
+        first_point: 0,
+        pad: [0; 2],
     };
     gpu.write(&params, &[record]).unwrap();
     let result = gpu.storage_of("irradiance", &vec![before; points.len()]).unwrap();
@@ -110,6 +111,8 @@ pub fn visible(
                 nodes: bvh.nodes.len() as u32,
                 first,
                 count: at_once,
+                first_point: 0,
+                pad: [0; 3],
             };
             gpu.write(&params, &[record]).unwrap();
             let workgroups = [workgroups(points.len(), tracing != Tracing::Single), slice];

@@ -37,6 +37,13 @@ pub struct RenderArgs {
     #[command(flatten)]
     pub clustering: ClusteringArgs,
 
+    /// Interleaved sampling: a pixel gathers one of s × s subsets of the VPLs, and combines what
+    /// the pixels around it gathered; 1 is off
+    #[arg(long, allow_negative_numbers = true, value_name = "S",
+          default_value_t = Settings::default().interleave,
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_INTERLEAVE)))]
+    pub interleave: u32,
+
     /// Light straight from its source: per-pixel or off
     #[arg(long, default_value = "per-pixel", value_parser = parse::direct)]
     pub direct: Direct,
@@ -127,6 +134,7 @@ impl RenderArgs {
             clamp: self.clamp,
             samples: self.samples,
             clustering: self.clustering.settings(),
+            interleave: self.interleave,
         }
     }
 }
@@ -206,8 +214,6 @@ impl ClusteringArgs {
 #[derive(Debug, Args)]
 pub struct LaterArgs {
     #[arg(long, hide = true)]
-    interleave: Option<String>,
-    #[arg(long, hide = true)]
     compensate: bool,
 }
 
@@ -217,12 +223,9 @@ impl LaterArgs {
     /// # Errors
     /// One is given.
     pub fn check(&self) -> Result<(), Error> {
-        let given = [("interleave", self.interleave.is_some()), ("compensate", self.compensate)];
-        match given.into_iter().find(|(_, given)| *given) {
-            Some((name, _)) => {
-                Err(Error::Usage(format!("--{name} is not supported yet; leave it out")))
-            }
-            None => Ok(()),
+        match self.compensate {
+            true => Err(Error::Usage("--compensate is not supported yet; leave it out".to_owned())),
+            false => Ok(()),
         }
     }
 }

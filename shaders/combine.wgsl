@@ -1,0 +1,56 @@
+// What the pixels around have gathered from the other subsets of VPLs: the discontinuity buffer
+// of Wald et al., "Interactive Global Illumination using Fast Ray Tracing", 2002, one axis after
+// the other: first along rows, from pixels into pixels; then along columns, into points. A
+// subset's irradiance is the mean, with the weights of a tent of 2s - 1 pixels, over its pixels
+// that see the same surface; the subsets count alike.
+
+@group(0) @binding(17) var<storage, read> surfaces: array<vec4f>;
+@group(0) @binding(18) var<storage, read> gathered: array<vec4f>;
+@group(0) @binding(19) var<storage, read_write> combined: array<vec4f>;
+
+// Least cosine between the normals of one surface, and the most that one of its points may rise
+// over the tangent plane of the other, over their distance: a flat surface, or a gentle curve.
+const SAME_NORMAL = 0.97;
+const SAME_PLANE = 0.05;
+
+fn normal_of(surface: vec4f) -> vec4f {
+    return unpack4x8snorm(bitcast<u32>(surface.w));
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= params.width * params.height { return; }
+    let s = i32(params.s);
+    let pixel = pixel_of(id.x, 0u, params.width);
+    let at = i32(pixel.y * params.width + pixel.x);
+    // Along rows, then along columns.
+    let along_rows = params.pass_number == 0u;
+    let stride = select(i32(params.width), 1, along_rows);
+    let place = i32(select(pixel.y, pixel.x, along_rows));
+    let extent = i32(select(params.height, params.width, along_rows));
+    let own = surfaces[at];
+    let normal = normal_of(own);
+    var sum = vec3f(0.0);
+    var subsets = 0.0;
+    for (var first = 0; first < s; first++) {
+        // The pixels of a subset: one on either side, or the pixel itself.
+        var tap = vec4f(0.0);
+        for (var step = first; step > -s; step -= s) {
+            let is = place + step >= 0 && place + step < extent;
+            let other = select(at, at + step * stride, is);
+            let surface = surfaces[other];
+            let n = normal_of(surface);
+            let d = surface.xyz - own.xyz;
+            let rise = max(abs(dot(d, normal.xyz)), abs(dot(d, n.xyz)));
+            let same = is && n.w > 0.5
+                && dot(n.xyz, normal.xyz) >= SAME_NORMAL
+                && rise * rise <= SAME_PLANE * SAME_PLANE * dot(d, d);
+            tap += vec4f(gathered[other].rgb, 1.0) * select(0.0, f32(s - abs(step)), same);
+        }
+        sum += tap.rgb / max(tap.w, 1e-30);
+        subsets += select(0.0, 1.0, tap.w > 0.0);
+    }
+    // What the clamp removed is summed over the image only, and stays with its pixel.
+    let result = vec4f(sum / max(subsets, 1.0), gathered[at].w);
+    combined[select(id.x, u32(at), along_rows)] = result;
+}
