@@ -14,7 +14,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     for (; i < stop; i++) {
         let vpl = vpls[32u * word + i];
         let between = point.position - vpl.position;
-        if dot(between, point.normal) >= 0.0 || dot(between, vpl.normal) <= 0.0 { continue; }
+        if dot(between, point.normal) >= 0.0 || facing(between, vpl.normal) <= 0.0 { continue; }
         rays++;
         let origin = vpl.position + params.offset * vpl.normal;
         let end = point.position + params.offset * point.normal;

@@ -95,10 +95,10 @@ fn main(
         let b1 = p1.position - vpl.position;
         let b2 = p2.position - vpl.position;
         let b3 = p3.position - vpl.position;
-        var open0 = is0 && dot(b0, p0.normal) < 0.0 && dot(b0, vpl.normal) > 0.0;
-        var open1 = is1 && dot(b1, p1.normal) < 0.0 && dot(b1, vpl.normal) > 0.0;
-        var open2 = is2 && dot(b2, p2.normal) < 0.0 && dot(b2, vpl.normal) > 0.0;
-        var open3 = is3 && dot(b3, p3.normal) < 0.0 && dot(b3, vpl.normal) > 0.0;
+        var open0 = is0 && dot(b0, p0.normal) < 0.0 && facing(b0, vpl.normal) > 0.0;
+        var open1 = is1 && dot(b1, p1.normal) < 0.0 && facing(b1, vpl.normal) > 0.0;
+        var open2 = is2 && dot(b2, p2.normal) < 0.0 && facing(b2, vpl.normal) > 0.0;
+        var open3 = is3 && dot(b3, p3.normal) < 0.0 && facing(b3, vpl.normal) > 0.0;
         rays += u32(open0) + u32(open1) + u32(open2) + u32(open3);
 
         let bounds = packet_bounds(low - origin, high - origin, d0, d1, d2, d3);

@@ -2,10 +2,11 @@
 
 mod film;
 mod gather;
-mod indirect;
+mod gathers;
 mod interleave;
 pub mod kernels;
 mod light;
+mod light_set;
 mod merge;
 mod picture;
 mod settings;
@@ -26,9 +27,10 @@ pub use light::Lights;
 pub use settings::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
 pub use vpl::{LightPaths, Vpl};
 
-use indirect::Indirect;
+use gathers::{Clustered, Gathers};
+use light_set::LightSet;
 pub use merge::{VirtualLight, VplClusters};
-use tile::{Clustered, TileRenderer};
+use tile::TileRenderer;
 
 /// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels
 /// and the buffers of the scene.
@@ -222,22 +224,25 @@ pub fn frame(
 
     let gathered = if settings.method.is_indirect() { &lights[..] } else { &[] };
     let subsets = if settings.interleaves() { settings.interleave.pow(2) } else { 1 };
-    let indirect = Indirect::new(&prepared.gpu, gathered, columns.as_ref(), bound, subsets)?;
+    let indirect = LightSet::new(&prepared.gpu, gathered, columns.as_ref(), bound, subsets)?;
     let renderer = TileRenderer::new(prepared, camera, settings, seed, indirect.as_ref())?;
+    let shared = indirect.is_some() || settings.direct == Direct::Clustered;
     let shown = settings.method == Method::PointClusters;
-    let clustered = match settings.method.clusters_points() && (indirect.is_some() || shown) {
+    let clustered = match settings.method.clusters_points() && (shared || shown) {
         true => renderer.cluster(&mut phases, progress)?,
         false => None,
     };
     counts.point_clusters = clustered.as_ref().map(Clustered::count);
-    let gather =
-        indirect.map(|indirect| renderer.gather(indirect, clustered.as_ref())).transpose()?;
-    if let Some(gather) = &gather {
-        let show = |share| progress(0.5 * share, "visibility");
-        counts.shadow_rays += gather.trace_clusters(&mut phases, &show)?;
-    }
+    let gathers = Gathers {
+        indirect: indirect.map(|lights| renderer.gather(lights, clustered.as_ref())).transpose()?,
+        direct: match &clustered {
+            Some(clustered) => renderer.gather_direct(clustered)?,
+            None => Vec::new(),
+        },
+    };
+    gathers.trace_clusters(&mut phases, &mut counts, progress)?;
     let mut image =
-        renderer.render(gather.as_ref(), clustered.as_ref(), &mut phases, &mut counts, progress)?;
+        renderer.render(&gathers, clustered.as_ref(), &mut phases, &mut counts, progress)?;
     match (settings.method, &clustered) {
         (Method::PointClusters, Some(clustered)) => picture::point_clusters(clustered, &mut image),
         (Method::VplMap, _) => picture::lights(prepared, camera, &lights, 1.0, &mut image),

@@ -99,7 +99,7 @@ fn wrong_usage_is_code_2() {
         ("render -o a.png b c", "'c'"),
         ("render -o a.png --method bogus", "vpl, vplc, vpc, both, direct"),
         ("render -o a.png --method path", "not supported yet"),
-        ("render -o a.png --direct clustered", "not supported yet"),
+        ("render -o a.png --direct clustered --method vpl", "give --method vpc or both"),
         ("render -o a.png --interleave 9", "9 is not in 1..=8"),
         ("render -o a.png --compensate", "--compensate is not supported yet"),
         ("study --preset thesis", "--output"),

@@ -9,7 +9,8 @@ use glam::{DVec3, Vec3};
 use gpu_vpl::gpu::Gpu;
 use gpu_vpl::image::Image;
 use gpu_vpl::render::{
-    Clustering, Merge, Method, Prepared, Representative, Settings, VirtualLight, VplClusters,
+    Bounces, Clustering, Direct, Merge, Method, Prepared, Representative, Settings, VirtualLight,
+    VplClusters,
 };
 
 const CLUSTERED: [Method; 3] = [Method::Vplc, Method::Vpc, Method::Both];
@@ -83,6 +84,30 @@ fn images_do_not_depend_on_the_number_of_threads() {
             });
             assert!(images[0] == images[1] && images[1] == images[2], "{method:?} {clustering:?}");
         }
+    }
+}
+
+/// As many clusters as points: shared visibility is that of each point by itself. Places on the
+/// area light are the same for all points here, and each point's own there.
+#[test]
+fn direct_light_of_clusters_of_one_is_that_of_each_pixel() {
+    let clustering = Clustering { points: 1 << 20, ..Clustering::default() };
+    let settings = |direct, light_samples| Settings {
+        bounces: Bounces::Finite(0),
+        direct,
+        light_samples: Some(light_samples),
+        ..settings(Method::Vpc, clustering)
+    };
+    for gpu in [open_gpu(), open_gpu().without_subgroups()] {
+        let prepared = prepared(gpu);
+        let pixels = frame(&prepared, &settings(Direct::PerPixel, 512)).image;
+        let shared = frame(&prepared, &settings(Direct::Clustered, 2048)).image;
+        let (off, spread) = deviation(&shared, &pixels);
+        assert!(off.abs() < 0.002 && spread < 0.02, "off by {off}, {spread}");
+        let few = Clustering { points: 60, fuzzy: 3, ..Clustering::default() };
+        let few = Settings { clustering: few, ..settings(Direct::Clustered, 64) };
+        let (off, spread) = deviation(&frame(&prepared, &few).image, &pixels);
+        assert!(off.abs() < 0.05 && spread > 0.01, "off by {off}, {spread}");
     }
 }
 

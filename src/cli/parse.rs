@@ -51,8 +51,8 @@ pub fn bounces(text: &str) -> Result<Bounces, String> {
 pub fn direct(text: &str) -> Result<Direct, String> {
     match text {
         "per-pixel" => Ok(Direct::PerPixel),
+        "clustered" => Ok(Direct::Clustered),
         "off" => Ok(Direct::Off),
-        "clustered" => Err("not supported yet; give per-pixel or off".to_owned()),
         _ => Err("give per-pixel or off".to_owned()),
     }
 }
@@ -164,7 +164,7 @@ mod tests {
         assert_eq!(method("vpl"), Ok(Method::Vpl));
         assert!(method("path").unwrap_err().contains("not supported yet"));
         assert!(!method("bogus").unwrap_err().contains("yet"));
-        assert!(direct("clustered").unwrap_err().contains("not supported yet"));
+        assert_eq!(direct("clustered"), Ok(Direct::Clustered));
     }
 
     #[test]

@@ -26,7 +26,7 @@ use crate::scene::Scene;
 /// # Errors
 /// Any of those is refused, the device fails, or an output cannot be written.
 pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
-    args.later.check()?;
+    args.check()?;
     let aovs = args.aovs();
     let outputs = Outputs::check(&args.outputs, &aovs, args.report.as_ref())?;
     start_threads(args.threads)?;

@@ -61,6 +61,8 @@ pub mod module {
         SEEN_FUZZY = "seen_fuzzy" for "fuzzy clusters";
         ROW_POINT = "row_point";
         ROW_CLUSTER = "row_cluster" for "clusters of visible points";
+        EMITTER_SURFACE = "emitter_surface";
+        EMITTER_POINT = "emitter_point" for "point lights";
         GATHER = "gather" for "indirect light";
         SHADE = "shade" for "indirect light";
         SHADE_COOPERATIVE = "shade_cooperative" for "indirect light";

@@ -1,13 +1,14 @@
-//! Indirect light: a bit for each row (a visible point, or the representative of a cluster of
-//! them) and each VPL, then the sum over the VPLs at every point.
+//! Light from many lights (VPLs, or places on light sources): a bit for each row (a visible
+//! point, or the representative of a cluster of them) and each light, then the sum over the
+//! lights at every point.
 
 use std::cell::Cell;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
-use super::indirect::Indirect;
 use super::interleave::Subsets;
 use super::kernels::{self, Sharing};
+use super::light_set::LightSet;
 use super::stages::{Named, Stage};
 use super::visible::PointClusters;
 use super::{Phases, Prepared};
@@ -48,11 +49,11 @@ struct Chunk {
     shade: Stage,
 }
 
-/// Gathers the indirect light of a frame.
+/// Gathers the light of a set of lights.
 #[derive(Debug)]
 pub struct Gather<'a> {
     prepared: &'a Prepared,
-    indirect: Indirect,
+    lights: LightSet,
     rows: Rows,
     /// Traces the columns that VPLs share, if they do.
     columns: Option<Stage>,
@@ -71,8 +72,8 @@ pub fn dispatch_rays(prepared: &Prepared) -> u32 {
 }
 
 /// The chunks of the bit matrix, in order.
-fn runs(indirect: &Indirect) -> impl Iterator<Item = Run> + use<> {
-    let (subsets, all) = (indirect.subsets, indirect.words);
+fn runs(lights: &LightSet) -> impl Iterator<Item = Run> + use<> {
+    let (subsets, all) = (lights.subsets, lights.words);
     (0..subsets).flat_map(move |subset| {
         (0..all).step_by(CHUNK_WORDS as usize).map(move |word| {
             let words = CHUNK_WORDS.min(all - word);
@@ -89,7 +90,7 @@ impl<'a> Gather<'a> {
     /// The device refuses.
     pub fn new(
         prepared: &'a Prepared,
-        indirect: Indirect,
+        lights: LightSet,
         clusters: Option<&PointClusters>,
         tile: &[Named<'_>],
         points: u32,
@@ -97,20 +98,21 @@ impl<'a> Gather<'a> {
         let gpu = &prepared.gpu;
         let counter = gpu.storage::<u32>("ray counter", 3)?;
         let mut common: Vec<Named<'_>> = tile.to_vec();
-        common.extend([("vpls", &indirect.buffer), ("counter", &counter)]);
+        common.extend([("vpls", &lights.buffer), ("counter", &counter)]);
 
         let sharing = match clusters {
             None => Sharing::Own,
             Some(clusters) if clusters.weights.is_none() => Sharing::Cluster,
             Some(_) => Sharing::Fuzzy,
         };
-        let shade = kernels::shade(gpu.has_subgroups(), indirect.bound.is_some(), sharing);
-        let visibility = kernels::visibility_for(prepared);
+        let (subgroups, bounded) = (gpu.has_subgroups(), lights.bound.is_some());
+        let shade = kernels::shade(subgroups, bounded, sharing, lights.emitter);
+        let visibility = kernels::visibility_for(prepared, lights.emitter);
         let (rows, rows_count) = match clusters {
             None => (Rows::Points, points),
             Some(clusters) => {
                 let (count, shared) = (clusters.representatives.len(), clusters.shared);
-                let values = (indirect.subsets * points) as usize * shared;
+                let values = (lights.subsets * points) as usize * shared;
                 let of_points = gpu.storage::<u32>("clusters of points", values)?;
                 let weights =
                     clusters.weights.as_ref().map(|_| gpu.storage::<f32>("weights", values));
@@ -133,11 +135,11 @@ impl<'a> Gather<'a> {
         let matrix = |words: u32| {
             gpu.storage::<u32>("visibility bits", rows_count as usize * words as usize)
         };
-        let column_bits = match &indirect.columns {
+        let column_bits = match &lights.columns {
             Some(columns) => Some(matrix(columns.words)?),
             None => None,
         };
-        let columns = match (&indirect.columns, &column_bits) {
+        let columns = match (&lights.columns, &column_bits) {
             (Some(columns), Some(bits)) => {
                 let buffers = [("vpls", &columns.buffer), ("bits", bits)];
                 let buffers = [&tracing[..], &buffers, &common].concat();
@@ -148,7 +150,7 @@ impl<'a> Gather<'a> {
         let chunk = |words: u32| {
             let bits = matrix(words)?;
             let bits = ("bits", &bits);
-            let fill = match (&indirect.columns, &column_bits) {
+            let fill = match (&lights.columns, &column_bits) {
                 (Some(columns), Some(column_bits)) => {
                     let of_vpls = ("column_of", &columns.of_vpls);
                     let buffers = [bits, ("column_bits", column_bits), of_vpls];
@@ -163,11 +165,11 @@ impl<'a> Gather<'a> {
             Ok::<_, GpuError>(Chunk { fill, shade })
         };
         let chunks = match clusters {
-            None => vec![chunk(CHUNK_WORDS.min(indirect.words))?],
-            Some(_) => runs(&indirect).map(|run| chunk(run.words)).collect::<Result<_, _>>()?,
+            None => vec![chunk(CHUNK_WORDS.min(lights.words))?],
+            Some(_) => runs(&lights).map(|run| chunk(run.words)).collect::<Result<_, _>>()?,
         };
         let rays_at_once = Cell::new(32);
-        Ok(Self { prepared, indirect, rows, columns, chunks, counter, rays_at_once })
+        Ok(Self { prepared, lights, rows, columns, chunks, counter, rays_at_once })
     }
 
     /// Traces the rows of the clusters, once a frame; nothing for points. Returns the rays.
@@ -181,7 +183,7 @@ impl<'a> Gather<'a> {
     ) -> Result<u64, GpuError> {
         let Rows::Clusters { count, .. } = self.rows else { return Ok(0) };
         let mut rays = self.trace_columns(count, phases, progress)?;
-        for (chunk, run) in self.chunks.iter().zip(runs(&self.indirect)) {
+        for (chunk, run) in self.chunks.iter().zip(runs(&self.lights)) {
             rays += self.fill(chunk, self.visibility_params(count, run), run, phases, progress)?;
         }
         Ok(rays)
@@ -228,7 +230,7 @@ impl<'a> Gather<'a> {
             Rows::Points => self.trace_columns(points, phases, progress)?,
             Rows::Clusters { .. } => 0,
         };
-        for (index, run) in runs(&self.indirect).enumerate() {
+        for (index, run) in runs(&self.lights).enumerate() {
             let first_point = run.subset * points;
             let (chunk, rows) = match self.rows {
                 Rows::Clusters { count, .. } => (&self.chunks[index], count),
@@ -244,7 +246,7 @@ impl<'a> Gather<'a> {
                 rows,
                 matrix_word: run.first_word,
                 words: run.words,
-                bound: self.indirect.bound.unwrap_or(0.0),
+                bound: self.lights.bound.unwrap_or(0.0),
                 first_point,
                 pad: [0; 2],
             };
@@ -256,7 +258,7 @@ impl<'a> Gather<'a> {
 
     /// Pairs of so many points with the VPLs that each gathers.
     pub fn terms(&self, points: u64) -> u64 {
-        points * u64::from(self.indirect.count) / u64::from(self.indirect.subsets)
+        points * u64::from(self.lights.count) / u64::from(self.lights.subsets)
     }
 
     /// Traces the columns that VPLs share, if they do. Returns the rays.
@@ -266,7 +268,7 @@ impl<'a> Gather<'a> {
         phases: &mut Phases,
         progress: &dyn Fn(f64),
     ) -> Result<u64, GpuError> {
-        let (Some(stage), Some(columns)) = (&self.columns, &self.indirect.columns) else {
+        let (Some(stage), Some(columns)) = (&self.columns, &self.lights.columns) else {
             return Ok(0);
         };
         let run = Run { subset: 0, first_word: 0, words: columns.words };
@@ -322,7 +324,7 @@ impl<'a> Gather<'a> {
         let mut rays = 0;
         for offset in (0..words).step_by(slice as usize) {
             let first_word = params.matrix_word + offset;
-            let all = self.indirect.words * self.indirect.subsets;
+            let all = self.lights.words * self.lights.subsets;
             progress(f64::from(first_word) / f64::from(all));
             let groups = [self.point_groups(params.rows), slice.min(words - offset)];
             let params = VisibilityParams { first_word, ..params };

@@ -4,11 +4,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
-    BITS, COLLECT, COMBINE, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, EXPAND, GATHER, INTERLEAVED,
-    PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, RAY, REFLECT, REMOVED,
-    ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE,
-    SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY,
-    VISIBILITY_PACKET, VISIBLE,
+    BITS, COLLECT, COMBINE, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, EMITTER_POINT,
+    EMITTER_SURFACE, EXPAND, GATHER, INTERLEAVED, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED,
+    PAIR_UNBOUNDED, PIXELS, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY,
+    SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, TRAVERSE,
+    TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -71,19 +71,38 @@ pub fn rays_at_once(nodes: usize) -> u32 {
     1 << rays.ilog2()
 }
 
-/// Shadow rays between points and VPLs.
-pub fn visibility(tracing: Tracing) -> Program {
-    let modules = match tracing {
-        Tracing::Single => vec![&TYPES, &RAY, &TRAVERSE, &BITS, &VISIBILITY],
-        Tracing::Shaft => vec![&TYPES, &RAY, &BITS, &PACKET_SHAFT, &VISIBILITY_PACKET],
-        Tracing::Rays => vec![&TYPES, &RAY, &BITS, &PACKET_RAYS, &VISIBILITY_PACKET],
-    };
+/// What the lights are that points gather.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Emitter {
+    /// Places on surfaces: VPLs, or places on light sources.
+    Surface,
+    /// Point lights.
+    Point,
+}
+
+impl Emitter {
+    fn module(self) -> &'static Module {
+        match self {
+            Self::Surface => &EMITTER_SURFACE,
+            Self::Point => &EMITTER_POINT,
+        }
+    }
+}
+
+/// Shadow rays between points and lights.
+pub fn visibility(tracing: Tracing, emitter: Emitter) -> Program {
+    let mut modules = vec![&TYPES, &RAY, emitter.module(), &BITS];
+    modules.extend(match tracing {
+        Tracing::Single => [&TRAVERSE, &VISIBILITY],
+        Tracing::Shaft => [&PACKET_SHAFT, &VISIBILITY_PACKET],
+        Tracing::Rays => [&PACKET_RAYS, &VISIBILITY_PACKET],
+    });
     Program { label: "visibility", modules }
 }
 
 /// The visibility program that suits a scene and its device.
-pub fn visibility_for(prepared: &Prepared) -> Program {
-    visibility(Tracing::of(prepared))
+pub fn visibility_for(prepared: &Prepared, emitter: Emitter) -> Program {
+    visibility(Tracing::of(prepared), emitter)
 }
 
 /// Visibility of VPLs from that of their clusters.
@@ -112,9 +131,10 @@ pub enum Sharing {
     Fuzzy,
 }
 
-/// Shading of points by VPLs.
-pub fn shade(subgroups: bool, bounded: bool, sharing: Sharing) -> Program {
-    let mut modules = vec![&TYPES, if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED }, &GATHER];
+/// Shading of points by lights.
+pub fn shade(subgroups: bool, bounded: bool, sharing: Sharing, emitter: Emitter) -> Program {
+    let bound = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
+    let mut modules = vec![&TYPES, bound, emitter.module(), &GATHER];
     match sharing {
         Sharing::Own => modules.extend([&SEEN_HARD, &ROW_POINT]),
         Sharing::Cluster => modules.extend([&SEEN_HARD, &ROW_CLUSTER]),
@@ -161,20 +181,29 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     if prepared.area_lights.is_some() {
         programs.push(emit());
     }
-    if settings.direct == Direct::PerPixel {
-        if prepared.point_lights.is_some() {
-            programs.push(direct_point(subgroups));
+    let points = prepared.point_lights.is_some();
+    let areas = prepared.area_lights.is_some();
+    match settings.direct {
+        Direct::PerPixel => {
+            programs.extend(points.then(|| direct_point(subgroups)));
+            programs.extend(areas.then(|| direct_area(subgroups)));
+            programs.push(reflect());
         }
-        if prepared.area_lights.is_some() {
-            programs.push(direct_area(subgroups));
+        Direct::Clustered => {
+            let kinds = [(points, Emitter::Point), (areas, Emitter::Surface)];
+            for (_, emitter) in kinds.into_iter().filter(|(are, _)| *are) {
+                let shade = shade(subgroups, false, settings.sharing(), emitter);
+                programs.extend([visibility_for(prepared, emitter), shade]);
+            }
+            programs.push(reflect());
         }
-        programs.push(reflect());
+        Direct::Off => {}
     }
     if settings.traces_light_paths() {
         let bounded = settings.clamp != Clamp::Off;
         programs.extend([
-            visibility_for(prepared),
-            shade(subgroups, bounded, settings.sharing()),
+            visibility_for(prepared, Emitter::Surface),
+            shade(subgroups, bounded, settings.sharing(), Emitter::Surface),
             reflect(),
         ]);
         programs.extend(bounded.then(removed));
@@ -229,13 +258,19 @@ impl Kernels {
 pub fn all_programs() -> Vec<Program> {
     let mut programs = vec![emit(), reflect(), removed(), expand()];
     programs.extend(interleave());
-    programs.extend([Tracing::Single, Tracing::Shaft, Tracing::Rays].map(visibility));
+    for emitter in [Emitter::Surface, Emitter::Point] {
+        let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays];
+        programs.extend(tracing.map(|tracing| visibility(tracing, emitter)));
+    }
     for subgroups in [false, true] {
         programs.push(visible_points(subgroups));
         programs.extend([direct_point(subgroups), direct_area(subgroups)]);
+        let sharing = [Sharing::Cluster, Sharing::Fuzzy];
+        programs.extend(sharing.map(|sharing| shade(subgroups, false, sharing, Emitter::Point)));
         for bounded in [false, true] {
             let sharing = [Sharing::Own, Sharing::Cluster, Sharing::Fuzzy];
-            programs.extend(sharing.map(|sharing| shade(subgroups, bounded, sharing)));
+            let emitter = Emitter::Surface;
+            programs.extend(sharing.map(|sharing| shade(subgroups, bounded, sharing, emitter)));
         }
     }
     programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));

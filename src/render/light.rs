@@ -4,7 +4,9 @@ use std::f32::consts::PI;
 
 use glam::Vec3;
 
+use super::merge::VirtualLight;
 use crate::gpu::{AreaLightRecord, PointLightRecord};
+use crate::sampling::{Sequence, uniform_triangle};
 use crate::scene::Scene;
 
 /// All lights of a scene.
@@ -82,6 +84,47 @@ impl Lights {
         Self { area, point, area_power, point_power }
     }
 
+    /// The area light whose interval of probability holds `u`, and where in it.
+    fn area_at(&self, u: f64) -> (&AreaLightRecord, f32) {
+        let at = self.area.partition_point(|l| f64::from(l.before) <= u).saturating_sub(1);
+        let light = &self.area[at];
+        (light, unit((u - f64::from(light.before)) / f64::from(light.probability)))
+    }
+
+    /// `count` places on the area lights, chosen by power and then uniform, as lights that
+    /// together give the light of all.
+    pub fn places(&self, count: u32, seed: u32) -> Vec<VirtualLight> {
+        let sequence = Sequence::new(seed);
+        let places = if self.area.is_empty() { 0 } else { count };
+        let mut lights = Vec::new();
+        for index in 0..places {
+            let draw = |dimension| sequence.sample(index, dimension);
+            let (light, rest) = self.area_at(f64::from(draw(0)));
+            let [b, c] = uniform_triangle([rest, draw(1)]);
+            let [corner, edge1, edge2, normal, radiance] =
+                [light.corner, light.edge1, light.edge2, light.normal, light.radiance]
+                    .map(Vec3::from_array);
+            // L cos θ over the pdf of light and position, of which there are `count`.
+            let intensity = radiance * (light.area / (light.probability * count as f32));
+            let position = corner + edge1 * b + edge2 * c;
+            lights.push(VirtualLight { position, normal, intensity });
+            if light.two_sided != 0 {
+                lights.push(VirtualLight { position, normal: -normal, intensity });
+            }
+        }
+        lights
+    }
+
+    /// The point lights, as lights without a surface.
+    pub fn points(&self) -> Vec<VirtualLight> {
+        let light = |light: &PointLightRecord| VirtualLight {
+            position: Vec3::from_array(light.position),
+            normal: Vec3::ZERO,
+            intensity: Vec3::from_array(light.intensity),
+        };
+        self.point.iter().map(light).collect()
+    }
+
     /// Draws a light by power; none if no light has any.
     pub fn choose(&self, u: f32) -> Option<Choice<'_>> {
         let point_power = self.point_power.last().copied().unwrap_or(0.0);
@@ -92,12 +135,9 @@ impl Lights {
         let target = f64::from(u) * total;
         if target < self.area_power || self.point.is_empty() {
             let share = self.area_power / total;
-            let u = (target / self.area_power).min(1.0);
-            let at = self.area.partition_point(|l| f64::from(l.before) <= u).saturating_sub(1);
-            let light = &self.area[at];
-            let rest = (u - f64::from(light.before)) / f64::from(light.probability);
+            let (light, rest) = self.area_at((target / self.area_power).min(1.0));
             let probability = (share * f64::from(light.probability)) as f32;
-            return Some(Choice { light: LightRef::Area(light), probability, rest: unit(rest) });
+            return Some(Choice { light: LightRef::Area(light), probability, rest });
         }
         let target = target - self.area_power;
         let at = self.point_power.partition_point(|&sum| sum <= target).min(self.point.len() - 1);

@@ -5,7 +5,7 @@
 use glam::Vec3;
 
 use super::film::pixel_of;
-use super::tile::Clustered;
+use super::gathers::Clustered;
 use super::{Prepared, VirtualLight};
 use crate::bvh::Ray;
 use crate::gpu::PointRecord;

@@ -89,6 +89,8 @@ pub enum Direct {
     /// Shadow rays from every visible point.
     #[default]
     PerPixel,
+    /// Visibility shared by clusters of visible points, as in the thesis.
+    Clustered,
     /// Left out; emission towards the camera stays.
     Off,
 }
@@ -117,7 +119,7 @@ pub struct Settings {
     /// Direct light.
     pub direct: Direct,
     /// Shadow rays to area lights from each visible point; `None` chooses so that a pixel
-    /// gets 16 over all its samples.
+    /// gets 16 over all its samples. With clusters, from each cluster: 256.
     pub light_samples: Option<u32>,
     /// Bound on G.
     pub clamp: Clamp,
@@ -237,6 +239,12 @@ impl Settings {
             1 => Sharing::Cluster,
             _ => Sharing::Fuzzy,
         }
+    }
+
+    /// Places on the area lights whose visibility clusters share. All points see the same
+    /// places, so that shadows have as many steps.
+    pub fn shared_light_samples(&self) -> u32 {
+        self.light_samples.unwrap_or(256)
     }
 
     /// Shadow rays to area lights from each visible point.

@@ -94,7 +94,9 @@ impl Stages {
     ) -> Result<Self, GpuError> {
         let lit = settings.method.is_lit();
         let direct = lit && settings.direct == Direct::PerPixel;
-        let buffers = Buffers::new(&prepared.gpu, points, direct || indirect, clamps)?;
+        let shared = lit && settings.direct == Direct::Clustered;
+        let gathers = direct || shared || indirect;
+        let buffers = Buffers::new(&prepared.gpu, points, gathers, clamps)?;
         let named = buffers.named(prepared);
         let bind = |program: Program| Stage::new(prepared, &program, &named);
         let when = |is: bool, program: Program| is.then(|| bind(program)).transpose();
@@ -111,7 +113,7 @@ impl Stages {
             emit: when(lit && area_lights.is_some(), kernels::emit())?,
             direct_point: with_lights(point_lights, kernels::direct_point(subgroups))?,
             direct_area: with_lights(area_lights, kernels::direct_area(subgroups))?,
-            reflect: when(direct || indirect, kernels::reflect())?,
+            reflect: when(gathers, kernels::reflect())?,
             removed: when(clamps, kernels::removed())?,
             buffers,
         })

@@ -3,14 +3,12 @@
 
 use std::time::{Duration, Instant};
 
-use bytemuck::Zeroable;
-
 use super::film::{Tile, Tiling, develop};
-use super::gather::{Gather, dispatch_rays};
-use super::indirect::Indirect;
+use super::gather::dispatch_rays;
+use super::gathers::{Clustered, Gathers};
 use super::interleave::Interleave;
+use super::light_set::LightSet;
 use super::stages::{Stage, Stages};
-use super::visible::PointClusters;
 use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};
 use crate::gpu::{CameraParams, DirectParams, GpuError, PointRecord};
 use crate::image::Image;
@@ -20,32 +18,14 @@ use crate::scene::Camera;
 /// Renders the tiles of one frame.
 #[derive(Debug)]
 pub struct TileRenderer<'a> {
-    prepared: &'a Prepared,
+    pub(super) prepared: &'a Prepared,
     camera: &'a Camera,
-    settings: &'a Settings,
-    seed: u32,
-    tiling: Tiling,
-    stages: Stages,
+    pub(super) settings: &'a Settings,
+    pub(super) seed: u32,
+    pub(super) tiling: Tiling,
+    pub(super) stages: Stages,
     /// Where pixels gather subsets of the VPLs.
-    interleave: Option<Interleave>,
-}
-
-/// The visible points of a whole frame in the order of samples and tiles, and their clusters.
-#[derive(Debug)]
-pub struct Clustered {
-    /// How the image makes tiles.
-    pub tiling: Tiling,
-    /// What the camera rays have hit.
-    pub records: Vec<PointRecord>,
-    /// Who is in which cluster.
-    pub clusters: PointClusters,
-}
-
-impl Clustered {
-    /// How many clusters there are.
-    pub fn count(&self) -> u64 {
-        self.clusters.representatives.len() as u64
-    }
+    pub(super) interleave: Option<Interleave>,
 }
 
 impl<'a> TileRenderer<'a> {
@@ -58,7 +38,7 @@ impl<'a> TileRenderer<'a> {
         camera: &'a Camera,
         settings: &'a Settings,
         seed: u32,
-        indirect: Option<&Indirect>,
+        indirect: Option<&LightSet>,
     ) -> Result<Self, GpuError> {
         let clamps = indirect.is_some_and(|indirect| indirect.bound.is_some());
         let tiling = tiling(camera, settings);
@@ -74,63 +54,13 @@ impl<'a> TileRenderer<'a> {
         Ok(Self { prepared, camera, settings, seed, tiling, stages, interleave })
     }
 
-    /// Finds all visible points and clusters them. `None` if nothing is seen.
-    ///
-    /// # Errors
-    /// The device fails.
-    pub fn cluster(
-        &self,
-        phases: &mut Phases,
-        progress: Progress<'_>,
-    ) -> Result<Option<Clustered>, GpuError> {
-        let mut records = vec![PointRecord::zeroed(); self.tiling.all_points()];
-        progress(0.0, "visible points");
-        for tile in self.tiling.tiles() {
-            phases.visible_points +=
-                self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;
-            let start = Instant::now();
-            let points = &self.stages.buffers.points;
-            let read: Vec<PointRecord> = self.prepared.gpu.read(points, tile.points() as usize)?;
-            records[tile.of_frame()].copy_from_slice(&read);
-            phases.readback += start.elapsed();
-        }
-        progress(0.0, "clusters");
-        let start = Instant::now();
-        let clusters = PointClusters::of(&records, &self.settings.clustering, self.seed);
-        phases.cluster_points += start.elapsed();
-        let tiling = self.tiling;
-        Ok(clusters.map(|clusters| Clustered { tiling, records, clusters }))
-    }
-
-    /// What gathers the VPLs: from each point by itself, or with clusters that have been
-    /// found.
-    ///
-    /// # Errors
-    /// The device fails.
-    pub fn gather(
-        &self,
-        indirect: Indirect,
-        clustered: Option<&Clustered>,
-    ) -> Result<Gather<'a>, GpuError> {
-        let mut named = Vec::new();
-        // The first buffer of a name counts.
-        named.extend(self.interleave.iter().flat_map(Interleave::named));
-        named.extend(self.stages.buffers.named(self.prepared));
-        let points = match &self.interleave {
-            Some(interleave) => interleave.most_points(&self.tiling),
-            None => self.tiling.most_points(),
-        };
-        let clusters = clustered.map(|clustered| &clustered.clusters);
-        Gather::new(self.prepared, indirect, clusters, &named, points)
-    }
-
     /// Renders all tiles.
     ///
     /// # Errors
     /// The device fails.
     pub fn render(
         &self,
-        gather: Option<&Gather<'_>>,
+        gathers: &Gathers<'_>,
         clustered: Option<&Clustered>,
         phases: &mut Phases,
         counts: &mut Counts,
@@ -152,16 +82,21 @@ impl<'a> TileRenderer<'a> {
                 gpu.clear(&buffers.energy.iter().collect::<Vec<_>>())?;
             }
             let points = tile.points() as usize;
-            if let (Some(clustered), Some(gather)) = (clustered, gather) {
+            if let Some(clustered) = clustered {
                 let run = tile.of_frame();
                 let subsets = self.interleave.as_ref().map(|interleave| interleave.subsets(tile));
                 gpu.write(&buffers.points, &clustered.records[run.clone()])?;
-                gather.set_clusters(&clustered.clusters, run, subsets.as_ref())?;
+                for direct in &gathers.direct {
+                    direct.set_clusters(&clustered.clusters, run.clone(), None)?;
+                }
+                if let Some(indirect) = &gathers.indirect {
+                    indirect.set_clusters(&clustered.clusters, run, subsets.as_ref())?;
+                }
             } else {
                 phases.visible_points +=
                     self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;
             }
-            self.sample(tile, gather, phases, counts, &|share, phase| {
+            self.sample(tile, gathers, phases, counts, &|share, phase| {
                 progress((index as f64 + share) / tiles, phase);
             })?;
             if tile.sample + 1 < self.settings.samples {
@@ -195,7 +130,7 @@ impl<'a> TileRenderer<'a> {
     fn sample(
         &self,
         tile: Tile,
-        gather: Option<&Gather<'_>>,
+        gathers: &Gathers<'_>,
         phases: &mut Phases,
         counts: &mut Counts,
         progress: Progress<'_>,
@@ -210,7 +145,15 @@ impl<'a> TileRenderer<'a> {
             phases.direct += self.direct(tile)?;
             phases.direct += self.reflect(groups)?;
         }
-        if let Some(gather) = gather {
+        if !gathers.direct.is_empty() {
+            self.clear_irradiance()?;
+            let mut own = Phases::default();
+            for direct in &gathers.direct {
+                direct.gather(tile.points(), &mut own, &|share| progress(share, "direct light"))?;
+            }
+            phases.direct += own.render() + self.reflect(groups)?;
+        }
+        if let Some(gather) = &gathers.indirect {
             let show = |share| progress(share, "indirect light");
             match &self.interleave {
                 Some(interleave) => {
@@ -279,7 +222,7 @@ impl<'a> TileRenderer<'a> {
         self.prepared.gpu.clear(&self.stages.buffers.irradiance.iter().collect::<Vec<_>>())
     }
 
-    fn run<P: bytemuck::Pod>(
+    pub(super) fn run<P: bytemuck::Pod>(
         &self,
         stage: &Stage,
         params: &P,
@@ -288,7 +231,7 @@ impl<'a> TileRenderer<'a> {
         stage.run(self.prepared, params, workgroups)
     }
 
-    fn camera_params(&self, tile: Tile) -> CameraParams {
+    pub(super) fn camera_params(&self, tile: Tile) -> CameraParams {
         let camera = self.camera;
         let [x, y] = camera.half_tangents();
         CameraParams {

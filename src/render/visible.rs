@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::indirect::morton;
+use super::light_set::morton;
 use super::settings::Clustering;
 use crate::cluster::{Options, Points, fuzzy, kmeans};
 use crate::gpu::PointRecord;

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use gpu_vpl::bvh::Bvh;
 use gpu_vpl::gpu::{Gpu, Pass, PointRecord, ShadeParams, VisibilityParams, VplRecord};
-use gpu_vpl::render::kernels::{Sharing, Tracing, rays_at_once, shade, visibility};
+use gpu_vpl::render::kernels::{Emitter, Sharing, Tracing, rays_at_once, shade, visibility};
 use gpu_vpl::sampling::SURFACE_OFFSET;
 
 pub fn point(position: Vec3, normal: Vec3) -> PointRecord {
@@ -44,7 +44,8 @@ pub fn irradiance(
     (bits, matrix_word): (&[u32], u32),
     before: [f32; 4],
 ) -> Vec<[f32; 4]> {
-    let kernel = gpu.compile(&shade(subgroups, bound.is_some(), Sharing::Own)).unwrap();
+    let kernel =
+        gpu.compile(&shade(subgroups, bound.is_some(), Sharing::Own, Emitter::Surface)).unwrap();
     let params = gpu.uniform::<ShadeParams>("params").unwrap();
     let count = points.len() as u32;
     let record = ShadeParams {
@@ -81,7 +82,7 @@ pub fn visible(
     vpls: &[VplRecord],
     slices: &[u32],
 ) -> (Vec<u32>, u64) {
-    let kernel = gpu.compile(&visibility(tracing)).unwrap();
+    let kernel = gpu.compile(&visibility(tracing, Emitter::Surface)).unwrap();
     let params = gpu.uniform::<VisibilityParams>("params").unwrap();
     let words = vpls.len().div_ceil(32);
     assert_eq!(slices.iter().sum::<u32>() as usize, words, "the slices are the whole");

@@ -44,11 +44,13 @@ pub struct RenderArgs {
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_INTERLEAVE)))]
     pub interleave: u32,
 
-    /// Light straight from its source: per-pixel or off
+    /// Light straight from its source: per-pixel; clustered, its visibility shared by clusters of
+    /// visible points as that of VPLs; or off
     #[arg(long, default_value = "per-pixel", value_parser = parse::direct)]
     pub direct: Direct,
 
-    /// Shadow rays to area lights from each visible point [default: 16 a pixel]
+    /// Shadow rays to area lights from each visible point, or cluster [default: 16 a pixel, 256 a
+    /// cluster]
     #[arg(long, allow_negative_numbers = true, value_name = "S",
           value_parser = clap::value_parser!(u32).range(1..=65536))]
     pub light_samples: Option<u32>,
@@ -121,6 +123,19 @@ impl RenderArgs {
         aovs.sort_by_key(|aov| aov.name());
         aovs.dedup();
         aovs
+    }
+
+    /// Refuses what does not go together, or is still to come.
+    ///
+    /// # Errors
+    /// There is such an option.
+    pub fn check(&self) -> Result<(), Error> {
+        if self.direct == Direct::Clustered && !self.method.clusters_points() {
+            let what =
+                "--direct clustered needs clusters of visible points; give --method vpc or both";
+            return Err(Error::Usage(what.to_owned()));
+        }
+        self.later.check()
     }
 
     /// What a frame depends on.

@@ -1,13 +1,16 @@
-//! The lights of a frame on the device.
+//! Lights on the device that points gather: VPLs, or places on the light sources.
 
 use glam::Vec3;
 
+use super::kernels::Emitter;
 use super::merge::{VirtualLight, VplClusters};
 use crate::gpu::{Gpu, GpuError, VplRecord};
 
-/// The VPLs that a frame gathers.
+/// Lights that points gather.
 #[derive(Debug)]
-pub struct Indirect {
+pub struct LightSet {
+    /// What they are.
+    pub emitter: Emitter,
     /// How many there are.
     pub count: u32,
     /// Subset after subset, each filled up to whole words.
@@ -33,8 +36,8 @@ pub struct Columns {
     pub of_vpls: wgpu::Buffer,
 }
 
-impl Indirect {
-    /// Uploads lights; none if there are none.
+impl LightSet {
+    /// Uploads VPLs, dealt out to so many subsets; none if there are none.
     ///
     /// # Errors
     /// The device refuses.
@@ -52,7 +55,21 @@ impl Indirect {
         let buffer = gpu.storage_of("VPLs", &records(lights, &order, subsets as f32))?;
         let columns = columns.map(|clusters| Columns::new(gpu, clusters, &order)).transpose()?;
         let words = (order.len() / 32) as u32 / subsets;
-        Ok(Some(Self { count: lights.len() as u32, words, subsets, buffer, bound, columns }))
+        let (count, emitter) = (lights.len() as u32, Emitter::Surface);
+        Ok(Some(Self { emitter, count, words, subsets, buffer, bound, columns }))
+    }
+
+    /// Uploads lights for direct light; none if there are none.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn direct(
+        gpu: &Gpu,
+        emitter: Emitter,
+        lights: &[VirtualLight],
+    ) -> Result<Option<Self>, GpuError> {
+        let set = Self::new(gpu, lights, None, None, 1)?;
+        Ok(set.map(|set| Self { emitter, ..set }))
     }
 }
 
