@@ -89,7 +89,12 @@ impl Seen {
         let magnitude = |kernel: &[f32]| {
             let along_x = filter::separable(&luminance, kernel, &detectors.gaussian);
             let along_y = filter::separable(&luminance, &detectors.gaussian, kernel);
-            along_x.values.iter().zip(&along_y.values).map(|(&x, &y)| (x * x + y * y).sqrt()).collect()
+            along_x
+                .values
+                .iter()
+                .zip(&along_y.values)
+                .map(|(&x, &y)| (x * x + y * y).sqrt())
+                .collect()
         };
         Self { lab, edges: magnitude(&detectors.edge), points: magnitude(&detectors.point) }
     }

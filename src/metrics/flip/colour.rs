@@ -48,11 +48,7 @@ impl Space {
 /// The cube root of L*a*b*, continued as a line near 0.
 fn lightness(t: f32) -> f32 {
     const DELTA: f32 = 6.0 / 29.0;
-    if t > DELTA * DELTA * DELTA {
-        libm::cbrtf(t)
-    } else {
-        t / (3.0 * DELTA * DELTA) + 4.0 / 29.0
-    }
+    if t > DELTA * DELTA * DELTA { libm::cbrtf(t) } else { t / (3.0 * DELTA * DELTA) + 4.0 / 29.0 }
 }
 
 /// The Hunt effect: colours look more colourful where it is bright.

@@ -113,10 +113,8 @@ fn rows(plane: &Plane, kernel: &[f32]) -> Plane {
     let rows = values.par_chunks_mut(width).zip(plane.values.par_chunks(width));
     rows.for_each(|(out, row)| {
         let repeated = |value: f32| std::iter::repeat_n(value, radius);
-        let padded: Vec<f32> = repeated(row[0])
-            .chain(row.iter().copied())
-            .chain(repeated(row[width - 1]))
-            .collect();
+        let padded: Vec<f32> =
+            repeated(row[0]).chain(row.iter().copied()).chain(repeated(row[width - 1])).collect();
         for (offset, &weight) in kernel.iter().enumerate() {
             add(out, weight, &padded[offset..offset + width]);
         }
