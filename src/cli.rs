@@ -14,7 +14,6 @@ use std::time::Instant;
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
-use crate::error::Error;
 use crate::gpu::AdapterChoice;
 
 /// Headless global illumination with virtual point lights.
