@@ -17,6 +17,9 @@ const MOST_BYTES: u64 = 1 << 33;
 const PNG: [u8; 4] = [0x89, b'P', b'N', b'G'];
 const EXR: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 
+/// What a format's files are decoded by.
+type Decode = fn(&[u8]) -> io::Result<Image>;
+
 /// Reads a linear image; a PNG's values are taken as sRGB.
 ///
 /// # Errors
@@ -29,7 +32,7 @@ pub fn read(file: &Path) -> Result<Image, ImageError> {
     let mut from = File::open(file).map_err(unreadable)?.take(MOST_BYTES);
     let mut bytes = Vec::new();
     from.by_ref().take(4).read_to_end(&mut bytes).map_err(unreadable)?;
-    let (format, decode): (_, fn(&[u8]) -> io::Result<Image>) = match bytes[..] {
+    let (format, decode): (_, Decode) = match bytes[..] {
         ref start if start == PNG => ("PNG", png::read),
         ref start if start == EXR => ("EXR", exr::read),
         _ => return Err(refuse("it is neither PNG nor EXR; name an image of these".to_owned())),

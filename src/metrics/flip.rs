@@ -63,8 +63,11 @@ struct Seen {
 impl Seen {
     fn new(image: &Image, gain: f64) -> Self {
         let size = [image.width as usize, image.height as usize];
-        // Neither max nor min returns a NaN, which 0 · ∞ is.
-        let shown = |value: f32| (f64::from(value) * gain).max(0.0).min(1.0) as f32;
+        // A NaN, which 0 · ∞ is, is not above 0.
+        let shown = |value: f32| match f64::from(value) * gain {
+            light if light > 0.0 => light.min(1.0) as f32,
+            _ => 0.0,
+        };
         let space = colour::Space::new();
         let opponent: Vec<Vec3> = image
             .pixels
