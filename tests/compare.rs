@@ -177,7 +177,7 @@ fn flip_pairs(images: &Images) {
         let [r, g, b] = ramp(x, y);
         [r, 0.75 * g, b + 0.125]
     });
-    let stripes = |x: u32| [if x / 3 % 2 == 0 { 0.75 } else { 0.125 }; 3];
+    let stripes = |x: u32| [if (x / 3).is_multiple_of(2) { 0.75 } else { 0.125 }; 3];
     images.add("features.r.exr", [64, 40], |x, _| stripes(x));
     images.add("features.x.exr", [64, 40], |x, y| if y < 20 { stripes(x + 1) } else { stripes(x) });
     let noise = |seed: u32| move |x, y| [0, 1, 2].map(|channel| hash(x, y, 3 * seed + channel));
