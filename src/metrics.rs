@@ -1,8 +1,8 @@
 //! How far an image is from a reference: linear errors ([`Metrics`]) and a perceived one
-//! ([`flip`]), over all pixels or those that a mask keeps.
+//! ([`flip()`]), over all pixels or those that a mask keeps.
 
 mod comparison;
-pub mod flip;
+mod flip;
 mod linear;
 mod mask;
 

@@ -75,7 +75,8 @@ pub fn run(args: &CompareArgs) -> Result<(), Error> {
     let image = read_alike(&args.image, &reference, &args.reference)?;
     let keep = args.mask(&reference)?;
     let comparison = Comparison::of(&reference, &image, &keep, args.exposure).ok_or_else(|| {
-        Error::Usage("--mask-above leaves no pixel to compare; raise it".to_owned())
+        let file = args.mask_from.as_ref().unwrap_or(&args.reference).display();
+        Error::Usage(format!("{file}: --mask-above leaves no pixel to compare; raise it"))
     })?;
 
     let map = (!outputs.is_empty())
@@ -94,18 +95,13 @@ pub fn run(args: &CompareArgs) -> Result<(), Error> {
     commit(staged)?;
 
     let broken = nonfinite(&comparison, [(&reference, &args.reference), (&image, &args.image)]);
-    let over = args.limits.exceeded(&comparison);
+    let mut faults = args.limits.exceeded(&comparison);
     match broken {
-        Some(broken) if args.limits.any() => {
-            Err(over_limit(&args.image, &[vec![broken], over].concat()))
-        }
-        _ if !over.is_empty() => Err(over_limit(&args.image, &over)),
-        Some(broken) => {
-            console::warning(&broken);
-            Ok(())
-        }
-        None => Ok(()),
+        Some(broken) if args.limits.any() => faults.insert(0, broken),
+        Some(broken) => console::warning(&broken),
+        None => {}
     }
+    if faults.is_empty() { Ok(()) } else { Err(args.over_limit(&faults)) }
 }
 
 impl CompareArgs {
@@ -143,6 +139,11 @@ impl CompareArgs {
             }
         }
     }
+
+    fn over_limit(&self, faults: &[String]) -> Error {
+        let hint = if self.outputs.is_empty() { "; -o MAP.png shows where" } else { "" };
+        Error::OverLimit(format!("{}: {}{hint}", self.image.display(), faults.join("; ")))
+    }
 }
 
 /// Reads an image that must have the size of another.
@@ -170,8 +171,4 @@ fn nonfinite(comparison: &Comparison, images: [(&Image, &PathBuf); 2]) -> Option
     let count = comparison.nonfinite;
     let pixels = if count == 1 { "pixel is" } else { "pixels are" };
     Some(format!("{count} {pixels} not finite, the first at {first}"))
-}
-
-fn over_limit(image: &Path, faults: &[String]) -> Error {
-    Error::OverLimit(format!("{}: {}", image.display(), faults.join("; ")))
 }
