@@ -1,5 +1,6 @@
 //! Arguments and their conversion to jobs.
 
+mod compare;
 mod console;
 mod info;
 mod parse;
@@ -13,7 +14,6 @@ use std::time::Instant;
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
-use crate::error::Error;
 use crate::gpu::AdapterChoice;
 
 /// Headless global illumination with virtual point lights.
@@ -32,15 +32,8 @@ enum Command {
     Info(info::InfoArgs),
     /// Run the thesis's experiments: error against run time, as tables
     Study(study::StudyArgs),
-    #[command(hide = true)]
-    Compare(NotYet),
-}
-
-/// The arguments of a command that is still to come: anything at all.
-#[derive(Debug, clap::Args)]
-struct NotYet {
-    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-    ignored: Vec<OsString>,
+    /// Measure how far an image is from a reference
+    Compare(compare::CompareArgs),
 }
 
 /// Runs the program with these arguments and returns its exit code. Whatever goes wrong is one
@@ -63,7 +56,7 @@ fn run(arguments: Vec<OsString>, started: Instant) -> u8 {
         Command::Render(args) => render::run(&args, started),
         Command::Info(args) => info::run(&args),
         Command::Study(args) => study::run(&args),
-        Command::Compare(_) => not_yet("compare"),
+        Command::Compare(args) => compare::run(&args),
     };
     match result {
         Ok(()) => 0,
@@ -72,12 +65,6 @@ fn run(arguments: Vec<OsString>, started: Instant) -> u8 {
             error.exit_code()
         }
     }
-}
-
-fn not_yet(command: &str) -> Result<(), Error> {
-    let what =
-        format!("the command {command} is not supported yet; there are render, study and info");
-    Err(Error::Usage(what))
 }
 
 /// Help and version are no errors; all else becomes one line.
@@ -94,13 +81,13 @@ fn refuse(refusal: &clap::Error, command: Option<&OsStr>) -> u8 {
         }
         ErrorKind::MissingSubcommand => {
             console::error(
-                "no command given; there are render, study and info; see gpu-vpl --help",
+                "no command given; there are render, study, compare and info; see gpu-vpl --help",
             );
             2
         }
         _ => {
             let help = match command.and_then(OsStr::to_str) {
-                Some(command @ ("render" | "study" | "info")) => {
+                Some(command @ ("render" | "study" | "compare" | "info")) => {
                     format!("gpu-vpl {command} --help")
                 }
                 _ => "gpu-vpl --help".to_owned(),

@@ -28,6 +28,23 @@ impl SceneError {
     }
 }
 
+/// An image that cannot be read, or not as what it is wanted for.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {what}", location(.file, None))]
+pub struct ImageError {
+    /// The file.
+    pub file: PathBuf,
+    /// What is wrong and what to do.
+    pub what: String,
+}
+
+impl ImageError {
+    /// An error about a file.
+    pub fn new(file: impl Into<PathBuf>, what: impl Into<String>) -> Self {
+        Self { file: file.into(), what: one_line(what.into()) }
+    }
+}
+
 /// An output that cannot be written.
 #[derive(Debug, thiserror::Error)]
 pub enum OutputError {
@@ -53,6 +70,9 @@ pub enum Error {
     /// The scene cannot be read.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// An image cannot be read.
+    #[error(transparent)]
+    Image(#[from] ImageError),
     /// The device cannot be used, or failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
@@ -62,16 +82,23 @@ pub enum Error {
     /// `--strict` and the image is not what was asked for.
     #[error("{0}")]
     Strict(String),
+    /// Images differ by more than a limit allows.
+    #[error("{0}")]
+    OverLimit(String),
 }
 
 impl Error {
-    /// The process's exit code: 1 failed while running, 2 usage or an unreadable scene,
-    /// 3 no usable adapter.
+    /// The process's exit code: 1 failed while running, 2 usage or an unreadable scene or
+    /// image, 3 no usable adapter, 4 over a limit.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Usage(_) | Self::Scene(_) | Self::Output(OutputError::UnknownFormat(_)) => 2,
+            Self::Usage(_)
+            | Self::Scene(_)
+            | Self::Image(_)
+            | Self::Output(OutputError::UnknownFormat(_)) => 2,
             Self::Gpu(error) if error.is_missing_adapter() => 3,
             Self::Gpu(_) | Self::Output(_) | Self::Strict(_) => 1,
+            Self::OverLimit(_) => 4,
         }
     }
 }

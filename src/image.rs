@@ -1,10 +1,14 @@
-//! The framebuffer and the files it is written to.
+//! The framebuffer and the files it is written to and read from.
 
 pub mod exr;
+pub mod heat;
+pub mod input;
+mod label;
 pub mod output;
 pub mod png;
 pub mod tone;
 
+pub use input::read;
 pub use output::{Destination, Format, Staged};
 pub use tone::Tone;
 

@@ -23,7 +23,8 @@
 //!    of them) and each VPL.
 //! 9. **Shading**: every visible point gathers every VPL that it sees.
 //! 10. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
-//!     and how long it took; [`study`] renders in many settings and compares.
+//!     and how long it took; [`metrics`] says how far it is from a reference; [`study`] renders
+//!     in many settings and compares.
 //!
 //! A kernel is an ordered list of the files in `shaders/`, chosen by what the scene and the
 //! settings need; the list is in one place, `src/render/kernels.rs`.

@@ -92,7 +92,7 @@ const SMALL: &str = "render --size 16x12 --vpls 20 --quiet";
 #[test]
 fn wrong_usage_is_code_2() {
     for (line, says) in [
-        ("", "no command given; there are render, study and info"),
+        ("", "no command given; there are render, study, compare and info"),
         ("paint", "paint"),
         ("render", "--output"),
         ("render -o a.png --bogus", "see gpu-vpl render --help"),
@@ -112,7 +112,7 @@ fn wrong_usage_is_code_2() {
         ("study --preset thesis -o dir --seeds 5", "--seeds is not supported yet"),
         ("study --preset thesis -o dir --fresh", "--fresh is not supported yet"),
         ("study --preset thesis -o dir --size 0", "WIDTHxHEIGHT"),
-        ("compare a.exr b.exr --json", "not supported yet"),
+        ("compare a.exr", "see gpu-vpl compare --help"),
         ("render -o a.png --size 0", "WIDTHxHEIGHT"),
         ("render -o a.png --size 0x5", "WIDTHxHEIGHT"),
         ("render -o a.png --size 5x65537", "WIDTHxHEIGHT"),

@@ -1,5 +1,6 @@
 //! The values of options, and how a wrong one is told.
 
+use super::compare::MapKind;
 use crate::image::Tone;
 use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
 
@@ -122,6 +123,32 @@ pub fn tone(method: Method, exposure: f32) -> Tone {
     }
 }
 
+/// A finite number, as a level of radiance is.
+pub fn number(text: &str) -> Result<f64, String> {
+    let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
+    value.ok_or_else(|| "give a number".to_owned())
+}
+
+/// The most that an error may be.
+pub fn limit(text: &str) -> Result<f64, String> {
+    number(text).ok().filter(|value| *value >= 0.0).ok_or_else(|| "give a number from 0".to_owned())
+}
+
+/// The error at the end of a colour scale.
+pub fn scale(text: &str) -> Result<f64, String> {
+    number(text).ok().filter(|value| *value > 0.0).ok_or_else(|| "give a number above 0".to_owned())
+}
+
+/// What an error map shows.
+pub fn map(text: &str) -> Result<MapKind, String> {
+    match text {
+        "magnitude" => Ok(MapKind::Magnitude),
+        "signed" => Ok(MapKind::Signed),
+        "flip" => Ok(MapKind::Flip),
+        _ => Err("give magnitude, signed or flip".to_owned()),
+    }
+}
+
 /// Makes one line of clap's many: what is wrong, and its tips, without its usage.
 pub fn one_clause(refusal: &str) -> String {
     let mut clause = String::new();
@@ -157,6 +184,14 @@ mod tests {
         assert_eq!(clamp("off"), Ok(Clamp::Off));
         assert_eq!(clamp("1e-4"), Ok(Clamp::At(1e-4)));
         assert!(["0", "-1", "inf", "nan", "", "on"].iter().all(|text| clamp(text).is_err()));
+    }
+
+    #[test]
+    fn limits_and_scales_are_finite_and_not_negative() {
+        assert_eq!((limit("0"), limit("1e-3")), (Ok(0.0), Ok(1e-3)));
+        assert!(["-1", "nan", "inf", "", "x"].iter().all(|text| limit(text).is_err()));
+        assert_eq!(scale("0.5"), Ok(0.5));
+        assert!(["0", "-1", "nan", "inf"].iter().all(|text| scale(text).is_err()));
     }
 
     #[test]

@@ -1,15 +1,18 @@
-//! Linear 32-bit float OpenEXR with metadata, further layers beside the image's R, G, B.
+//! Linear 32-bit float OpenEXR with metadata, further layers beside the image's R, G, B; read
+//! as R, G, B of any sample type.
 
-use std::io;
+use std::io::{self, Cursor};
 
-use exr::meta::attribute::AttributeValue;
+use exr::meta::attribute::{AttributeValue, ChannelDescription};
+use exr::meta::header::Header;
 use exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Layer, LayerAttributes,
-    LineOrder, Text, Vec2, WritableImage,
+    LineOrder, ReadChannels, ReadLayers, ReadSpecificChannel, Text, Vec2, WritableImage,
+    read as reader,
 };
 
-use super::Image;
 use super::output::Sink;
+use super::{Image, input};
 
 /// The value of a metadata attribute.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,10 +65,79 @@ pub fn write(out: &mut dyn Sink, planes: &[Plane<'_>], metadata: &Metadata) -> i
         1 => writer.non_parallel().to_buffered(out),
         _ => writer.to_buffered(out),
     };
-    written.map_err(|error| match error {
+    written.map_err(io_error)
+}
+
+/// Reads the channels `R`, `G`, `B`, or those of the first layer that has them, without alpha
+/// and other layers. The image is what the file calls its data window.
+///
+/// # Errors
+/// The file is damaged, incomplete or too large, or has no such channels, or only subsampled.
+pub fn read(file: &[u8]) -> io::Result<Image> {
+    let chunks = exr::block::read(Cursor::new(file), false).map_err(io_error)?;
+    let (header, layer) = rgb_layer(chunks.headers())
+        .ok_or_else(|| io::Error::other("it has no channels R, G and B"))?;
+    if header.channels.list.iter().any(|channel| channel.sampling != Vec2(1, 1)) {
+        return Err(io::Error::other("subsampled channels are not supported"));
+    }
+    let size = header.layer_size;
+    let area = input::area(size.0 as u64, size.1 as u64)?;
+    let [red, green, blue] = ["R", "G", "B"].map(|letter| text(&format!("{layer}{letter}")));
+    let image = reader()
+        .no_deep_data()
+        .largest_resolution_level()
+        .specific_channels()
+        .required::<f32>(red)
+        .required::<f32>(green)
+        .required::<f32>(blue)
+        .collect_pixels(
+            move |_, _| (0, vec![[0.0; 3]; area]),
+            move |(count, pixels), at, (r, g, b): (f32, f32, f32)| {
+                if let Some(pixel) = pixels.get_mut(at.1 * size.0 + at.0) {
+                    *pixel = [r, g, b];
+                    *count += 1;
+                }
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_chunks(chunks)
+        .map_err(io_error)?;
+    let (count, pixels) = image.layer_data.channel_data.pixels;
+    if count != area {
+        return Err(io::Error::other("some of its pixels are missing"));
+    }
+    Ok(Image { width: size.0 as u32, height: size.1 as u32, pixels })
+}
+
+/// The part of a file that holds R, G and B, and what stands before these letters in the names
+/// of its channels: nothing wherever possible.
+fn rgb_layer(headers: &[Header]) -> Option<(&Header, String)> {
+    let layers = headers.iter().flat_map(|header| {
+        let red = |channel: &ChannelDescription| {
+            let name = channel.name.to_string();
+            name.strip_suffix('R')
+                .filter(|layer| layer.is_empty() || layer.ends_with('.'))
+                .map(str::to_owned)
+        };
+        header.channels.list.iter().filter_map(red).map(move |layer| (header, layer))
+    });
+    let complete = |(header, layer): &(&Header, String)| {
+        ["G", "B"].iter().all(|letter| {
+            let name = text(&format!("{layer}{letter}"));
+            header.channels.list.iter().any(|channel| channel.name == name)
+        })
+    };
+    // Of several equals the first.
+    layers.filter(complete).min_by_key(|(_, layer)| !layer.is_empty())
+}
+
+fn io_error(error: exr::error::Error) -> io::Error {
+    match error {
         exr::error::Error::Io(error) => error,
         other => io::Error::other(other.to_string()),
-    })
+    }
 }
 
 fn channels_of<'a>(plane: &Plane<'a>) -> impl Iterator<Item = AnyChannel<FlatSamples>> + use<'a> {
@@ -101,12 +173,9 @@ fn text(string: &str) -> Text {
 
 #[cfg(test)]
 mod tests {
-    use std::io::Cursor;
-
-    use exr::prelude::*;
+    use exr::prelude::{FlatImage, ReadChannels, ReadLayers, read as reader};
 
     use super::*;
-    use crate::image::Image;
 
     fn ramp(offset: f32) -> Image {
         let pixels = (0..40).map(|i| [i as f32 * 1e-3, offset, -1e9 * i as f32]).collect();
@@ -120,31 +189,14 @@ mod tests {
         file.into_inner()
     }
 
-    fn plain_rgb(file: &[u8]) -> Vec<[f32; 3]> {
-        let read = read()
-            .no_deep_data()
-            .largest_resolution_level()
-            .rgb_channels(
-                |size, _| (size.0, vec![[0.0; 3]; size.area()]),
-                |(width, pixels), at, (r, g, b): (f32, f32, f32)| {
-                    pixels[at.1 * *width + at.0] = [r, g, b];
-                },
-            )
-            .first_valid_layer()
-            .all_attributes()
-            .from_buffered(Cursor::new(file))
-            .unwrap();
-        read.layer_data.channel_data.pixels.1
-    }
-
     #[test]
     fn an_exr_reads_back_bit_for_bit_as_plain_rgb() {
         let mut image = ramp(0.1);
         image.pixels[3] = [f32::INFINITY, f32::MIN_POSITIVE, -0.0];
         let file = file(&[Plane { layer: "", channels: "RGB", image: &image }]);
-        assert_eq!(plain_rgb(&file), image.pixels);
+        assert_eq!(read(&file).unwrap().pixels, image.pixels);
         image.pixels[20][1] += 1e-7;
-        assert_ne!(plain_rgb(&file), image.pixels);
+        assert_ne!(read(&file).unwrap().pixels, image.pixels);
     }
 
     #[test]
@@ -155,7 +207,7 @@ mod tests {
             Plane { layer: "normal", channels: "XYZ", image: &normal },
             Plane { layer: "depth", channels: "Z", image: &depth },
         ]);
-        assert_eq!(plain_rgb(&file), image.pixels);
+        assert_eq!(read(&file).unwrap().pixels, image.pixels);
         let read = read_all_flat_layers_from(&file);
         let layer = &read.layer_data[0];
         let names: Vec<_> =
@@ -170,7 +222,7 @@ mod tests {
     }
 
     fn read_all_flat_layers_from(file: &[u8]) -> FlatImage {
-        read()
+        reader()
             .no_deep_data()
             .largest_resolution_level()
             .all_channels()
@@ -190,5 +242,34 @@ mod tests {
         ];
         assert!(write(&mut Cursor::new(Vec::new()), &planes, &Vec::new()).is_err());
         assert!(write(&mut Cursor::new(Vec::new()), &[], &Vec::new()).is_err());
+    }
+
+    #[test]
+    fn channels_of_a_layer_stand_in_for_plain_ones() {
+        let (image, other) = (ramp(0.1), ramp(0.2));
+        let named = file(&[
+            Plane { layer: "depth", channels: "Z", image: &other },
+            Plane { layer: "light", channels: "RGB", image: &image },
+        ]);
+        assert_eq!(read(&named).unwrap(), image);
+        let without = file(&[Plane { layer: "normal", channels: "XYZ", image: &image }]);
+        assert!(read(&without).unwrap_err().to_string().contains("no channels R, G and B"));
+    }
+
+    #[test]
+    fn what_is_damaged_is_refused() {
+        let image = ramp(0.1);
+        let whole = file(&[Plane { layer: "", channels: "RGB", image: &image }]);
+        for length in 0..whole.len() {
+            assert!(read(&whole[..length]).is_err(), "{length} of {} bytes", whole.len());
+        }
+        // Any byte may be anything: an error or an image, but never a panic.
+        for index in 0..whole.len() {
+            for value in [0, 1, 0x7f, 0x80, 0xff] {
+                let mut file = whole.clone();
+                file[index] = value;
+                let _ = read(&file);
+            }
+        }
     }
 }

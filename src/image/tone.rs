@@ -44,6 +44,11 @@ pub fn srgb(linear: f64) -> f64 {
     }
 }
 
+/// The inverse of [`srgb`], of a value in [0, 1].
+pub fn linear(encoded: f64) -> f64 {
+    if encoded <= 0.040_45 { encoded / 12.92 } else { libm::pow((encoded + 0.055) / 1.055, 2.4) }
+}
+
 /// Rounds [0, 1] to a byte; what lies outside is clamped, NaN is 0 as casts have it.
 fn quantize(value: f64) -> u8 {
     (value.clamp(0.0, 1.0) * 255.0).round() as u8
@@ -80,6 +85,14 @@ mod tests {
         assert_eq!(bytes([0.0, 0.5, 1.0], tone), [0, 188, 255]);
         assert_eq!(bytes([0.18, 2.0, -1.0], tone), [118, 255, 0]);
         assert!((srgb(0.003_130_8) - 0.04045).abs() < 1e-5);
+    }
+
+    #[test]
+    fn linear_undoes_srgb() {
+        for step in 0..=1000 {
+            let value = f64::from(step) / 1000.0;
+            assert!((linear(srgb(value)) - value).abs() < 1e-6, "{value}");
+        }
     }
 
     #[test]
