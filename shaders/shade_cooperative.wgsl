@@ -1,5 +1,5 @@
 // Shading together. A lane holds 4 points. Eight lanes load eight VPLs together, one each, and
-// broadcast them, so that a VPL is loaded once for 32 pairs. No lane returns early: a subgroup
+// broadcast them, so that a VPL is loaded once for 32 pairs. What none of them sees is skipped. No lane returns early: a subgroup
 // shares its loads. The adapter may have subgroups of any width from 8.
 
 @compute @workgroup_size(64)
@@ -27,16 +27,24 @@ fn main(
     var total2 = vec4f(0.0);
     var total3 = vec4f(0.0);
     for (var word = 0u; word < params.words; word++) {
-        var b0 = load_seen(r0, word);
-        var b1 = load_seen(r1, word);
-        var b2 = load_seen(r2, word);
-        var b3 = load_seen(r3, word);
+        let s0 = load_seen(r0, word);
+        let s1 = load_seen(r1, word);
+        let s2 = load_seen(r2, word);
+        let s3 = load_seen(r3, word);
         // A sum a word, then the sum of those, keeps rounding small over many VPLs.
         var sum0 = vec4f(0.0);
         var sum1 = vec4f(0.0);
         var sum2 = vec4f(0.0);
         var sum3 = vec4f(0.0);
-        for (var batch = 0u; batch < 32u; batch += 8u) {
+        // Batches of eight VPLs that some lane sees.
+        var left = subgroupOr(seen_at_all(s0) | seen_at_all(s1) | seen_at_all(s2) | seen_at_all(s3));
+        while left != 0u {
+            let batch = firstTrailingBit(left) & 24u;
+            left &= ~(255u << batch);
+            let b0 = later(s0, batch);
+            let b1 = later(s1, batch);
+            let b2 = later(s2, batch);
+            let b3 = later(s3, batch);
             let vpl = vpls[32u * (params.matrix_word + word) + batch + lane];
             let light = vec4f(vpl.intensity, vpl.mean);
             let p0 = subgroupBroadcast(vpl.position, 0u);
@@ -95,10 +103,6 @@ fn main(
             sum1 += pair(x1, p7, n7, l7, b1, 128u);
             sum2 += pair(x2, p7, n7, l7, b2, 128u);
             sum3 += pair(x3, p7, n7, l7, b3, 128u);
-            b0 = later(b0, 8u);
-            b1 = later(b1, 8u);
-            b2 = later(b2, 8u);
-            b3 = later(b3, 8u);
         }
         total0 += sum0;
         total1 += sum1;

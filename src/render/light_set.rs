@@ -91,10 +91,15 @@ impl Columns {
     }
 }
 
-/// The order along a Morton curve, so that neighbours in a word are neighbours in space.
+/// The order along a Morton curve, so that neighbours in a word are neighbours in space; first
+/// by the side that they face, as lights that face away from a point are skipped together.
 fn curve(lights: &[VirtualLight]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..lights.len() as u32).collect();
-    order.sort_by_key(|&index| (morton(lights[index as usize].position), index));
+    order.sort_by_cached_key(|&index| {
+        let VirtualLight { position, normal, .. } = lights[index as usize];
+        let axis = normal.abs().max_position();
+        (2 * axis + usize::from(normal[axis] < 0.0), morton(position), index)
+    });
     order
 }
 

@@ -62,7 +62,8 @@ impl PointClusters {
             clusters.iter().map(|&cluster| row_of[cluster as usize]).collect()
         };
         if clustering.fuzzy == 1 {
-            let of_points = spread(&hits, &rows(&found.assignment), 1, 1, records.len());
+            let of_points =
+                spread(&hits, &rows(&found.assignment), 1, 1, records.len(), |own| own[0]);
             return Some(Self { representatives, of_points, weights: None, shared: 1 });
         }
         let (own, shared) = (clustering.fuzzy as usize, Clustering::MOST_FUZZY as usize);
@@ -70,25 +71,28 @@ impl PointClusters {
             fuzzy(&points, &found, clustering.fuzzy, clustering.normal_threshold);
         Some(Self {
             representatives,
-            of_points: spread(&hits, &rows(&clusters), own, shared, records.len()),
-            weights: Some(spread(&hits, &weights, own, shared, records.len())),
+            // A row that does not count is one that is read anyway.
+            of_points: spread(&hits, &rows(&clusters), own, shared, records.len(), |own| own[0]),
+            weights: Some(spread(&hits, &weights, own, shared, records.len(), |_| 0.0)),
             shared,
         })
     }
 }
 
-/// From `own` values a hit to `shared` a point: the rest is 0.
+/// From `own` values a hit to `shared` a point: the rest of a hit's is `filler`, of others 0.
 fn spread<T: Copy + Default>(
     hits: &[u32],
     values: &[T],
     own: usize,
     shared: usize,
     points: usize,
+    filler: impl Fn(&[T]) -> T,
 ) -> Vec<T> {
     let mut all = vec![T::default(); points * shared];
     for (&hit, values) in hits.iter().zip(values.chunks_exact(own)) {
         let at = hit as usize * shared;
         all[at..at + own].copy_from_slice(values);
+        all[at + own..at + shared].fill(filler(values));
     }
     all
 }
