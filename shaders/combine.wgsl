@@ -8,11 +8,6 @@
 @group(0) @binding(18) var<storage, read> gathered: array<vec4f>;
 @group(0) @binding(19) var<storage, read_write> combined: array<vec4f>;
 
-// Least cosine between the normals of one surface, and the most that one of its points may rise
-// over the tangent plane of the other, over their distance: a flat surface, or a gentle curve.
-const SAME_NORMAL = 0.97;
-const SAME_PLANE = 0.05;
-
 fn normal_of(surface: vec4f) -> vec4f {
     return unpack4x8snorm(bitcast<u32>(surface.w));
 }
@@ -40,11 +35,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             let other = select(at, at + step * stride, is);
             let surface = surfaces[other];
             let n = normal_of(surface);
-            let d = surface.xyz - own.xyz;
-            let rise = max(abs(dot(d, normal.xyz)), abs(dot(d, n.xyz)));
-            let same = is && n.w > 0.5
-                && dot(n.xyz, normal.xyz) >= SAME_NORMAL
-                && rise * rise <= SAME_PLANE * SAME_PLANE * dot(d, d);
+            let same = is && n.w > 0.5 && one_surface(normal.xyz, n.xyz, surface.xyz - own.xyz);
             tap += vec4f(gathered[other].rgb, 1.0) * select(0.0, f32(s - abs(step)), same);
         }
         sum += tap.rgb / max(tap.w, 1e-30);

@@ -14,6 +14,11 @@ fn load_triangle(i: u32) -> Triangle {
     return triangles[i];
 }
 
+// Whether some ray that is traced together with this one wants it.
+fn some_ray(is: bool) -> bool {
+    return is;
+}
+
 // The nearest hit at 0 < t < limit, or, with `any`, the first one met. The limit 0 means no
 // ray.
 fn traverse(

@@ -21,6 +21,11 @@ fn load_triangle(i: u32) -> Triangle {
     );
 }
 
+// Whether some ray that is traced together with this one wants it.
+fn some_ray(is: bool) -> bool {
+    return subgroupAny(is);
+}
+
 // The nearest hit at 0 < t < limit, or, with `any`, one of them. The limit 0 means no ray.
 fn traverse(
     origin: vec3f,

@@ -58,7 +58,14 @@ impl Cornell {
 
     /// The frame, without the light itself: emission is not what converges.
     fn render(&self, light_paths: u32, clamp: Clamp, seed: u32) -> Frame {
-        let settings = Settings { light_paths, clamp, direct: Direct::Off, ..Settings::default() };
+        // One point a pixel: no pixel mixes a wall with the lamp, which is masked.
+        let settings = Settings {
+            light_paths,
+            clamp,
+            direct: Direct::Off,
+            edge_samples: 1,
+            ..Settings::default()
+        };
         let mut frame = frame(&self.prepared, &self.camera, &settings, seed, &|_, _| {}).unwrap();
         for pixel in &mut frame.image.pixels {
             if pixel[0] > 5.0 {

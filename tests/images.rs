@@ -39,6 +39,32 @@ fn builtin_scenes_look_as_they_did() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// More camera rays at edges, each with the light of a visible point around, come near to as
+/// many whole samples.
+#[test]
+fn antialiased_edges_are_near_those_of_many_samples() {
+    for gpu in [open_gpu(), open_gpu().without_subgroups()] {
+        let scene = room(1.0, DVec3::ZERO, [80, 48]).scene();
+        let prepared = Prepared::new(gpu, scene, &Settings::default()).unwrap();
+        let direct = |samples, edge_samples| {
+            let light_samples = Some(256 / samples);
+            let method = Method::Direct;
+            let settings =
+                Settings { method, samples, edge_samples, light_samples, ..settings(method) };
+            frame(&prepared, &settings).image
+        };
+        let many = direct(256, 1);
+        let error = |image: &Image| {
+            let pairs = image.pixels.iter().flatten().zip(many.pixels.iter().flatten());
+            pairs.map(|(a, b)| f64::from(a - b).powi(2)).sum::<f64>().sqrt()
+        };
+        for samples in [1, 4] {
+            let (plain, smooth) = (error(&direct(samples, 1)), error(&direct(samples, 64)));
+            assert!(smooth < 0.35 * plain, "{samples} samples: {smooth} against {plain}");
+        }
+    }
+}
+
 #[test]
 fn a_comparison_fails_where_it_should() {
     let ramp = |x: u32| [0.1 + x as f32 / 64.0, 0.5, 2.0];

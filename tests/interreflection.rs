@@ -72,6 +72,7 @@ fn every_pixel_is_the_sum_over_the_vpls() {
         let settings = Settings {
             direct: Direct::Off,
             clamp: bound.map_or(Clamp::Off, Clamp::At),
+            edge_samples: 1,
             ..settings(paths, bounces)
         };
         let prepared = Prepared::new(open_gpu(), build.scene(), &settings).unwrap();

@@ -83,7 +83,7 @@ fn records() -> Vec<Record> {
         }),
         record!(CameraParams as "CameraParams" {
             position, width, forward, height, right, first_block, up, sample, samples, seed,
-            blocks, nodes,
+            blocks, nodes, first_ray, rays, edge_rays, pad,
         }),
         record!(DirectParams as "DirectParams" {
             points, lights, first, count, seed, first_block, offset, nodes, sample, samples, weight,

@@ -155,6 +155,14 @@ pub struct CameraParams {
     pub blocks: u32,
     /// Number of BVH nodes.
     pub nodes: u32,
+    /// The first ray of an edge in this dispatch.
+    pub first_ray: u32,
+    /// Rays of an edge in this dispatch.
+    pub rays: u32,
+    /// Rays of an edge for this sample.
+    pub edge_rays: u32,
+    /// Unused.
+    pub pad: u32,
 }
 
 /// Parameters of the direct-light passes.

@@ -43,6 +43,9 @@ pub mod module {
         RAY = "ray";
         TRAVERSE = "traverse";
         TRAVERSE_PACKET = "traverse_packet";
+        CAMERA = "camera";
+        ONE_SURFACE = "one_surface";
+        ANTIALIAS = "antialias" for "antialiasing of edges";
         VISIBLE = "visible_points";
         DIRECT = "direct" for "direct light";
         DIRECT_POINT = "direct_point" for "point lights";

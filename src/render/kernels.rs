@@ -4,11 +4,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
-    BITS, COLLECT, COMBINE, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT, EMITTER_POINT,
-    EMITTER_SURFACE, EXPAND, GATHER, INTERLEAVED, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED,
-    PAIR_UNBOUNDED, PIXELS, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY,
-    SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, TRAVERSE,
-    TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    ANTIALIAS, BITS, CAMERA, COLLECT, COMBINE, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT,
+    EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER, INTERLEAVED, ONE_SURFACE, PACKET_RAYS,
+    PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, RAY, REFLECT, REMOVED, ROW_CLUSTER,
+    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO,
+    SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET,
+    VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -19,8 +20,18 @@ fn traverse(subgroups: bool) -> &'static Module {
 
 /// Camera rays.
 pub fn visible_points(subgroups: bool) -> Program {
-    let modules = vec![&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(subgroups), &VISIBLE];
-    Program { label: "visible points", modules }
+    Program { label: "visible points", modules: camera_rays(subgroups, &[&VISIBLE]) }
+}
+
+/// More camera rays where pixels see edges.
+pub fn antialias(subgroups: bool) -> Program {
+    let modules = camera_rays(subgroups, &[&ONE_SURFACE, &ANTIALIAS]);
+    Program { label: "antialiasing", modules }
+}
+
+fn camera_rays(subgroups: bool, last: &[&'static Module]) -> Vec<&'static Module> {
+    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(subgroups), &CAMERA];
+    [&first[..], last].concat()
 }
 
 /// Direct light from point lights.
@@ -115,7 +126,11 @@ pub fn expand() -> Program {
 pub fn interleave() -> [Program; 3] {
     let passes = [("separation", &SEPARATE), ("collection", &COLLECT), ("combination", &COMBINE)];
     passes.map(|(label, module)| {
-        let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, module];
+        let mut modules = vec![&TYPES, &PIXELS, &INTERLEAVED, module];
+        // Only the last compares surfaces.
+        if label == "combination" {
+            modules.insert(2, &ONE_SURFACE);
+        }
         Program { label, modules }
     })
 }
@@ -178,6 +193,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     if !settings.method.is_lit() {
         return programs;
     }
+    programs.extend(settings.antialiases().then(|| antialias(subgroups)));
     if prepared.area_lights.is_some() {
         programs.push(emit());
     }
@@ -263,7 +279,7 @@ pub fn all_programs() -> Vec<Program> {
         programs.extend(tracing.map(|tracing| visibility(tracing, emitter)));
     }
     for subgroups in [false, true] {
-        programs.push(visible_points(subgroups));
+        programs.extend([visible_points(subgroups), antialias(subgroups)]);
         programs.extend([direct_point(subgroups), direct_area(subgroups)]);
         let sharing = [Sharing::Cluster, Sharing::Fuzzy];
         programs.extend(sharing.map(|sharing| shade(subgroups, false, sharing, Emitter::Point)));

@@ -125,6 +125,9 @@ pub struct Settings {
     pub clamp: Clamp,
     /// Samples (visible points) per pixel.
     pub samples: u32,
+    /// Camera rays over all samples of a pixel at whose place surfaces meet; each takes the light
+    /// of the nearest visible point on its surface. 1 is none but the samples themselves.
+    pub edge_samples: u32,
     /// How visible points and VPLs are clustered, where the method does so.
     pub clustering: Clustering,
     /// A pixel gathers one of s² subsets of the VPLs, up to [`Settings::MOST_INTERLEAVE`]²; 1 is
@@ -207,6 +210,7 @@ impl Default for Settings {
             light_samples: None,
             clamp: Clamp::Auto,
             samples: 1,
+            edge_samples: 16,
             clustering: Clustering::default(),
             interleave: 1,
         }
@@ -225,6 +229,11 @@ impl Settings {
     /// Whether VPLs share the visibility of their cluster.
     pub fn shares_columns(&self) -> bool {
         self.method.clusters_vpls() && self.clustering.merge == Merge::Visibility
+    }
+
+    /// Whether edges are antialiased by more camera rays than the samples.
+    pub fn antialiases(&self) -> bool {
+        self.method.is_lit() && self.edge_samples > self.samples
     }
 
     /// Whether pixels gather subsets of the VPLs.

@@ -24,6 +24,8 @@ pub struct Buffers {
     pub points: wgpu::Buffer,
     /// Irradiance of the kind of light being gathered.
     pub irradiance: Option<wgpu::Buffer>,
+    /// Radiance of the visible points of a sample, where edges are antialiased.
+    pub radiance: Option<wgpu::Buffer>,
     /// Indirect radiance that was reflected and that the clamp removed.
     pub energy: Option<wgpu::Buffer>,
 }
@@ -32,13 +34,19 @@ pub struct Buffers {
 pub type Named<'a> = (&'a str, &'a wgpu::Buffer);
 
 impl Buffers {
-    fn new(gpu: &Gpu, points: usize, gathers: bool, clamps: bool) -> Result<Self, GpuError> {
+    fn new(
+        gpu: &Gpu,
+        points: usize,
+        gathers: bool,
+        clamps: bool,
+        edges: bool,
+    ) -> Result<Self, GpuError> {
+        let colours = |label: &str| gpu.storage::<[f32; 4]>(label, points);
         Ok(Self {
-            film: gpu.storage::<[f32; 4]>("film", points)?,
+            film: colours("film")?,
             points: gpu.storage::<PointRecord>("visible points", points)?,
-            irradiance: gathers
-                .then(|| gpu.storage::<[f32; 4]>("irradiance", points))
-                .transpose()?,
+            irradiance: gathers.then(|| colours("irradiance")).transpose()?,
+            radiance: edges.then(|| colours("radiance")).transpose()?,
             energy: clamps.then(|| gpu.storage::<[f32; 2]>("energy", points)).transpose()?,
         })
     }
@@ -52,6 +60,7 @@ impl Buffers {
             ("points", &self.points),
             ("film", &self.film),
         ];
+        named.extend(self.radiance.as_ref().map(|buffer| ("radiance", buffer)));
         named.extend(self.irradiance.as_ref().map(|buffer| ("irradiance", buffer)));
         named.extend(self.energy.as_ref().map(|buffer| ("energy", buffer)));
         named
@@ -65,6 +74,8 @@ pub struct Stages {
     pub buffers: Buffers,
     /// Camera rays.
     pub visible: Stage,
+    /// More camera rays where pixels see edges.
+    pub antialias: Option<Stage>,
     /// The picture of a method without light.
     pub show: Option<Stage>,
     /// Emission towards the camera.
@@ -96,8 +107,13 @@ impl Stages {
         let direct = lit && settings.direct == Direct::PerPixel;
         let shared = lit && settings.direct == Direct::Clustered;
         let gathers = direct || shared || indirect;
-        let buffers = Buffers::new(&prepared.gpu, points, gathers, clamps)?;
-        let named = buffers.named(prepared);
+        let edges = settings.antialiases();
+        let buffers = Buffers::new(&prepared.gpu, points, gathers, clamps, edges)?;
+        let on_film = buffers.named(prepared);
+        // The first buffer of a name counts.
+        let mut named = Vec::new();
+        named.extend(buffers.radiance.as_ref().map(|radiance| ("film", radiance)));
+        named.extend(&on_film);
         let bind = |program: Program| Stage::new(prepared, &program, &named);
         let when = |is: bool, program: Program| is.then(|| bind(program)).transpose();
         let with_lights = |lights: &Option<wgpu::Buffer>, program: Program| {
@@ -108,7 +124,10 @@ impl Stages {
         let subgroups = prepared.gpu.has_subgroups();
         let (point_lights, area_lights) = (&prepared.point_lights, &prepared.area_lights);
         Ok(Self {
-            visible: bind(kernels::visible_points(subgroups))?,
+            visible: Stage::new(prepared, &kernels::visible_points(subgroups), &on_film)?,
+            antialias: edges
+                .then(|| Stage::new(prepared, &kernels::antialias(subgroups), &on_film))
+                .transpose()?,
             show: kernels::show(settings.method).map(bind).transpose()?,
             emit: when(lit && area_lights.is_some(), kernels::emit())?,
             direct_point: with_lights(point_lights, kernels::direct_point(subgroups))?,

@@ -99,6 +99,7 @@ impl<'a> TileRenderer<'a> {
             self.sample(tile, gathers, phases, counts, &|share, phase| {
                 progress((index as f64 + share) / tiles, phase);
             })?;
+            phases.visible_points += self.antialias(tile)?;
             if tile.sample + 1 < self.settings.samples {
                 continue;
             }
@@ -136,6 +137,7 @@ impl<'a> TileRenderer<'a> {
         progress: Progress<'_>,
     ) -> Result<(), GpuError> {
         let groups = [tile.blocks, 1];
+        self.prepared.gpu.clear(&self.stages.buffers.radiance.iter().collect::<Vec<_>>())?;
         for stage in self.stages.show.iter().chain(&self.stages.emit) {
             phases.shading += self.run(stage, &(), groups)?;
         }
@@ -174,6 +176,21 @@ impl<'a> TileRenderer<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Brings the radiance of a sample to the film, with more camera rays at edges; nothing if
+    /// it is there already.
+    fn antialias(&self, tile: Tile) -> Result<Duration, GpuError> {
+        let Some(stage) = &self.stages.antialias else { return Ok(Duration::ZERO) };
+        let params = self.camera_params(tile);
+        let at_once = kernels::rays_at_once(self.prepared.bvh.nodes.len());
+        let mut time = Duration::ZERO;
+        for first_ray in (0..params.edge_rays).step_by(at_once as usize) {
+            let rays = at_once.min(params.edge_rays - first_ray);
+            let params = CameraParams { first_ray, rays, ..params };
+            time += self.run(stage, &params, [tile.blocks, 1])?;
+        }
+        Ok(time)
     }
 
     /// Direct light, in dispatches of a bounded number of shadow rays.
@@ -247,22 +264,22 @@ impl<'a> TileRenderer<'a> {
             seed: hash(self.seed ^ 0x68e3_1da4),
             blocks: tile.blocks,
             nodes: self.prepared.bvh.nodes.len() as u32,
+            first_ray: 0,
+            rays: 0,
+            edge_rays: self.settings.edge_samples.div_ceil(self.settings.samples),
+            pad: 0,
         }
     }
 }
 
-/// Tiles for what they hold a point: much if every point has a row of the bit matrix.
-/// Interleaved sampling combines pixels with those around them.
+/// Tiles as large as what they hold a point allows: much, if every point has a row of the bit
+/// matrix. Interleaving and antialiasing need the pixels around, and so rows.
 fn tiling(camera: &Camera, settings: &Settings) -> Tiling {
-    const BLOCKS_OF_ROWS: u32 = 1024;
-    const BLOCKS: u32 = 16_384;
-    let samples = settings.samples;
-    if settings.interleaves() {
-        Tiling::of_rows(camera, BLOCKS, samples)
-    } else if settings.method.clusters_points() {
-        Tiling::of_runs(camera, BLOCKS, samples)
-    } else {
-        Tiling::of_runs(camera, BLOCKS_OF_ROWS, samples)
+    let own_rows = settings.method.is_indirect() && !settings.method.clusters_points();
+    let blocks = if own_rows && !settings.interleaves() { 4096 } else { 16_384 };
+    match settings.interleaves() || settings.antialiases() {
+        true => Tiling::of_rows(camera, blocks, settings.samples),
+        false => Tiling::of_runs(camera, blocks, settings.samples),
     }
 }
 

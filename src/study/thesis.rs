@@ -187,6 +187,8 @@ fn unclustered(light_paths: u32, bounces: u32) -> Settings {
         method: Method::Vpl,
         light_paths,
         bounces: Bounces::Finite(bounces),
+        // The thesis has one sample a pixel.
+        edge_samples: 1,
         ..Settings::default()
     }
 }

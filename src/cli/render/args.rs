@@ -77,6 +77,13 @@ pub struct RenderArgs {
           default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub samples: u32,
 
+    /// Camera rays in a pixel where surfaces meet, over all its samples; each takes the light of
+    /// the nearest visible point on its surface. 1 is none but the samples
+    #[arg(long, allow_negative_numbers = true, value_name = "E",
+          default_value_t = Settings::default().edge_samples,
+          value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub edge_samples: u32,
+
     /// Further images: normal, albedo, depth; layers of an EXR, NAME.normal.png beside a PNG
     #[arg(long = "aov", value_name = "AOV,...", value_delimiter = ',', value_parser = parse::aov)]
     pub aovs: Vec<Method>,
@@ -148,6 +155,7 @@ impl RenderArgs {
             light_samples: self.light_samples,
             clamp: self.clamp,
             samples: self.samples,
+            edge_samples: self.edge_samples,
             clustering: self.clustering.settings(),
             interleave: self.interleave,
         }

@@ -1,0 +1,48 @@
+// The pinhole camera.
+
+struct CameraParams {
+    position: vec3f,
+    width: u32,
+    forward: vec3f,
+    height: u32,
+    right: vec3f,
+    first_block: u32,
+    up: vec3f,
+    sample: u32,
+    samples: u32,
+    seed: u32,
+    blocks: u32,
+    nodes: u32,
+    first_ray: u32,
+    rays: u32,
+    edge_rays: u32,
+    pad: u32,
+}
+
+@group(0) @binding(0) var<uniform> params: CameraParams;
+
+// The unit direction in which a place of a pixel is seen.
+fn camera_direction(pixel: vec2u, inside: vec2f) -> vec3f {
+    let size = vec2f(f32(params.width), f32(params.height));
+    let at = (vec2f(pixel) + inside) / size * 2.0 - 1.0;
+    return normalize(params.forward + at.x * params.right - at.y * params.up);
+}
+
+// The seed of the sequence of a pixel.
+fn camera_stream(pixel: vec2u) -> u32 {
+    return hash(hash(pixel.x + pixel.y * params.width) + params.seed);
+}
+
+// What a camera ray has hit.
+fn camera_point(hit: Hit, direction: vec3f) -> Point {
+    if hit.triangle == NOTHING { return Point(vec3f(0.0), NOTHING, vec3f(0.0), 0.0); }
+    let corners = load_triangle(hit.triangle);
+    let normal = normalize(cross(corners.b - corners.a, corners.c - corners.a));
+    let front = dot(normal, direction) < 0.0;
+    return Point(
+        corners.a * hit.weights.x + corners.b * hit.weights.y + corners.c * hit.weights.z,
+        corners.material | select(0u, FRONT, front),
+        select(-normal, normal, front),
+        hit.t,
+    );
+}
