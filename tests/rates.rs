@@ -1,6 +1,7 @@
 //! How fast shadow rays are: a measurement, so it runs only when it is asked for, by
 //! `cargo test --release --test rates -- --ignored --nocapture`.
 
+#![allow(clippy::expect_used, reason = "a helper of tests fails by panicking")]
 #![allow(clippy::print_stdout, reason = "a measurement prints what it finds")]
 
 mod common;
@@ -74,7 +75,7 @@ fn morton(position: [f32; 3]) -> u64 {
     (0..48).map(|bit| (cells[bit % 3] >> (bit / 3) & 1) << bit).sum()
 }
 
-/// The shorter of two times of the same work.
+/// The shortest of three times of the same work.
 fn best<T>(mut work: impl FnMut() -> T) -> (T, Duration) {
     let mut timed = || {
         let start = Instant::now();
@@ -99,7 +100,8 @@ fn shadow_rays_of_representatives_in_the_room() {
     let words = vpls.len().div_ceil(32) as u32;
     let slices: Vec<u32> = (0..words).step_by(24).map(|word| 24.min(words - word)).collect();
     let pass = VisibilityPass::new(common::gpu(), Tracing::Rays, &bvh, &points, &vpls);
-    let mut at_once = 32;
+    // As in the renderer.
+    let mut at_once = 16;
     let run = || loop {
         match pass.run(&slices, at_once) {
             Some(found) => return found,
