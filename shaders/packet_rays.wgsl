@@ -20,9 +20,11 @@ fn packet_bounds(low: vec3f, high: vec3f, d0: vec3f, d1: vec3f, d2: vec3f, d3: v
 
 // Whether some open segment of the packet meets the box, given relative to their origin.
 fn may_meet(s: PacketBounds, low: vec3f, high: vec3f, open: vec4<bool>) -> bool {
-    let met = (open.x && meets_box(s.r0, low, high, 1.0))
-        || (open.y && meets_box(s.r1, low, high, 1.0))
-        || (open.z && meets_box(s.r2, low, high, 1.0))
-        || (open.w && meets_box(s.r3, low, high, 1.0));
-    return subgroupAny(met);
+    let met = vec4<bool>(
+        meets_box(s.r0, low, high, 1.0),
+        meets_box(s.r1, low, high, 1.0),
+        meets_box(s.r2, low, high, 1.0),
+        meets_box(s.r3, low, high, 1.0),
+    );
+    return subgroupAny(any(met & open));
 }

@@ -10,8 +10,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var rays = 0u;
     let count = select(min(32u, params.vpls - 32u * word), 0u, point.surface == NOTHING);
     let stop = min(count, params.first + params.count);
+    // A last round without a ray: it is not reached if the last ray's loops were left early.
     var i = params.first;
-    for (; i < stop; i++) {
+    for (; i <= stop; i++) {
+        if i == stop { continue; }
         let vpl = vpls[32u * word + i];
         let between = point.position - vpl.position;
         if dot(between, point.normal) >= 0.0 || facing(between, vpl.normal) <= 0.0 { continue; }
@@ -23,5 +25,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let at = (word - params.matrix_word) * params.rows + id.x;
     bits[at] = earlier(at) | seen;
-    count_rays(rays, i >= stop);
+    count_rays(rays, i > stop);
 }

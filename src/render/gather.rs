@@ -23,6 +23,10 @@ const DISPATCH_RAYS: u32 = 1 << 23;
 const DISPATCH_RAYS_LARGE: u32 = 1 << 21;
 /// Scenes of more BVH nodes are slow.
 const LARGE_SCENE_NODES: usize = 4096;
+/// Shadow rays that an invocation traces in a dispatch at first: all of a word, or so many that
+/// llvmpipe's bound on the rounds of loops is hardly ever met.
+const RAYS_AT_ONCE: u32 = 32;
+const RAYS_AT_ONCE_LARGE: u32 = 16;
 
 /// Who has the rows of the bit matrix.
 #[derive(Debug)]
@@ -67,8 +71,11 @@ pub struct Gather<'a> {
 
 /// How many shadow rays a dispatch may trace without taking many seconds.
 pub fn dispatch_rays(prepared: &Prepared) -> u32 {
-    let large = prepared.bvh.nodes.len() > LARGE_SCENE_NODES;
-    if large { DISPATCH_RAYS_LARGE } else { DISPATCH_RAYS }
+    if is_large(prepared) { DISPATCH_RAYS_LARGE } else { DISPATCH_RAYS }
+}
+
+fn is_large(prepared: &Prepared) -> bool {
+    prepared.bvh.nodes.len() > LARGE_SCENE_NODES
 }
 
 /// The chunks of the bit matrix, in order.
@@ -168,7 +175,8 @@ impl<'a> Gather<'a> {
             None => vec![chunk(CHUNK_WORDS.min(lights.words))?],
             Some(_) => runs(&lights).map(|run| chunk(run.words)).collect::<Result<_, _>>()?,
         };
-        let rays_at_once = Cell::new(32);
+        let rays_at_once = if is_large(prepared) { RAYS_AT_ONCE_LARGE } else { RAYS_AT_ONCE };
+        let rays_at_once = Cell::new(rays_at_once);
         Ok(Self { prepared, lights, rows, columns, chunks, counter, rays_at_once })
     }
 

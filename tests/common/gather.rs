@@ -2,7 +2,9 @@
 
 use glam::Vec3;
 use gpu_vpl::bvh::Bvh;
-use gpu_vpl::gpu::{Gpu, Pass, PointRecord, ShadeParams, VisibilityParams, VplRecord};
+use gpu_vpl::gpu::{
+    Bindings, Gpu, Kernel, Pass, PointRecord, ShadeParams, VisibilityParams, VplRecord,
+};
 use gpu_vpl::render::kernels::{Emitter, Sharing, Tracing, rays_at_once, shade, visibility};
 use gpu_vpl::sampling::SURFACE_OFFSET;
 
@@ -82,46 +84,81 @@ pub fn visible(
     vpls: &[VplRecord],
     slices: &[u32],
 ) -> (Vec<u32>, u64) {
-    let kernel = gpu.compile(&visibility(tracing, Emitter::Surface)).unwrap();
-    let params = gpu.uniform::<VisibilityParams>("params").unwrap();
-    let words = vpls.len().div_ceil(32);
-    assert_eq!(slices.iter().sum::<u32>() as usize, words, "the slices are the whole");
-    // What a pass leaves alone stays as it is here.
-    let bits = gpu.storage_of("bits", &vec![u32::MAX; words * points.len()]).unwrap();
-    let counter = gpu.storage_of("counter", &[0u32; 3]).unwrap();
-    let buffers = [
-        ("params", &params),
-        ("nodes", &gpu.storage_of("nodes", &bvh.nodes).unwrap()),
-        ("triangles", &gpu.storage_of("triangles", &bvh.triangles).unwrap()),
-        ("points", &gpu.storage_of("points", points).unwrap()),
-        ("vpls", &gpu.storage_of("vpls", &whole_words(vpls)).unwrap()),
-        ("bits", &bits),
-        ("counter", &counter),
-    ];
-    let bindings = gpu.bind(&kernel, &buffers).unwrap();
-    let mut first_word = 0;
-    let at_once = rays_at_once(bvh.nodes.len());
-    for &slice in slices {
-        for first in (0..32).step_by(at_once as usize) {
-            let record = VisibilityParams {
-                rows: points.len() as u32,
-                vpls: vpls.len() as u32,
-                first_word,
-                matrix_word: 0,
-                offset: SURFACE_OFFSET,
-                nodes: bvh.nodes.len() as u32,
-                first,
-                count: at_once,
-                first_point: 0,
-                pad: [0; 3],
-            };
-            gpu.write(&params, &[record]).unwrap();
-            let workgroups = [workgroups(points.len(), tracing != Tracing::Single), slice];
-            gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
-        }
-        first_word += slice;
+    let pass = VisibilityPass::new(gpu, tracing, bvh, points, vpls);
+    pass.run(slices, rays_at_once(bvh.nodes.len())).expect("all loops come to their end")
+}
+
+/// The visibility pass with its buffers, ready to run.
+pub struct VisibilityPass<'a> {
+    gpu: &'a Gpu,
+    tracing: Tracing,
+    kernel: Kernel,
+    bindings: Bindings,
+    params: wgpu::Buffer,
+    bits: wgpu::Buffer,
+    counter: wgpu::Buffer,
+    /// Points, VPLs and nodes.
+    counts: [usize; 3],
+}
+
+impl<'a> VisibilityPass<'a> {
+    pub fn new(
+        gpu: &'a Gpu,
+        tracing: Tracing,
+        bvh: &Bvh,
+        points: &[PointRecord],
+        vpls: &[VplRecord],
+    ) -> Self {
+        let kernel = gpu.compile(&visibility(tracing, Emitter::Surface)).unwrap();
+        let params = gpu.uniform::<VisibilityParams>("params").unwrap();
+        // What a pass leaves alone stays as it is here.
+        let words = vpls.len().div_ceil(32);
+        let bits = gpu.storage_of("bits", &vec![u32::MAX; words * points.len()]).unwrap();
+        let counter = gpu.storage::<u32>("counter", 3).unwrap();
+        let buffers = [
+            ("params", &params),
+            ("nodes", &gpu.storage_of("nodes", &bvh.nodes).unwrap()),
+            ("triangles", &gpu.storage_of("triangles", &bvh.triangles).unwrap()),
+            ("points", &gpu.storage_of("points", points).unwrap()),
+            ("vpls", &gpu.storage_of("vpls", &whole_words(vpls)).unwrap()),
+            ("bits", &bits),
+            ("counter", &counter),
+        ];
+        let bindings = gpu.bind(&kernel, &buffers).unwrap();
+        let counts = [points.len(), vpls.len(), bvh.nodes.len()];
+        Self { gpu, tracing, kernel, bindings, params, bits, counter, counts }
     }
-    let count: Vec<u32> = gpu.read(&counter, 3).unwrap();
-    let rays = u64::from(count[1]) << 32 | u64::from(count[0]);
-    (gpu.read(&bits, words * points.len()).unwrap(), rays)
+
+    /// The bits and the number of rays, in dispatches of so many words and of `at_once` VPLs
+    /// of each; nothing if the driver cut loops short.
+    pub fn run(&self, slices: &[u32], at_once: u32) -> Option<(Vec<u32>, u64)> {
+        let Self { gpu, kernel, bindings, counts: [points, vpls, nodes], .. } = self;
+        let words = vpls.div_ceil(32);
+        assert_eq!(slices.iter().sum::<u32>() as usize, words, "the slices are the whole");
+        gpu.write(&self.counter, &[0u32; 3]).unwrap();
+        let mut first_word = 0;
+        for &slice in slices {
+            for first in (0..32).step_by(at_once as usize) {
+                let record = VisibilityParams {
+                    rows: *points as u32,
+                    vpls: *vpls as u32,
+                    first_word,
+                    matrix_word: 0,
+                    offset: SURFACE_OFFSET,
+                    nodes: *nodes as u32,
+                    first,
+                    count: at_once,
+                    first_point: 0,
+                    pad: [0; 3],
+                };
+                gpu.write(&self.params, &[record]).unwrap();
+                let groups = workgroups(*points, self.tracing != Tracing::Single);
+                gpu.run(&[Pass { kernel, bindings, workgroups: [groups, slice] }]).unwrap();
+            }
+            first_word += slice;
+        }
+        let count: Vec<u32> = gpu.read(&self.counter, 3).unwrap();
+        let rays = u64::from(count[1]) << 32 | u64::from(count[0]);
+        (count[2] == 0).then(|| (gpu.read(&self.bits, words * points).unwrap(), rays))
+    }
 }
