@@ -1,9 +1,9 @@
 // Irradiance from the order of subsets into rows of pixels, and beside it what tells whether two
-// pixels see the same surface: position and normal.
+// pixels see the same surface in the same light: position, normal and signature.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(7) var<storage, read> irradiance: array<vec4f>;
-@group(0) @binding(17) var<storage, read_write> surfaces: array<vec4f>;
+@group(0) @binding(17) var<storage, read_write> surfaces: array<vec4u>;
 @group(0) @binding(18) var<storage, read_write> gathered: array<vec4f>;
 
 @compute @workgroup_size(64)
@@ -15,8 +15,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let subset = (place.x + s * place.y + params.rotation) % (s * s);
     let from_point = subset * params.subset_points + point_of(pixel / vec2u(s), params.subset_width);
     gathered[id.x] = irradiance[from_point];
-    let point = points[point_of(pixel, params.width)];
-    // The last byte tells that there is a surface.
-    let is = select(1.0, 0.0, point.surface == NOTHING);
-    surfaces[id.x] = vec4f(point.position, bitcast<f32>(pack4x8snorm(vec4f(point.normal, is))));
+    let index = point_of(pixel, params.width);
+    let point = points[index];
+    // Three bytes of normal, 0 where nothing is hit, and one of signature.
+    let packed = pack4x8snorm(vec4f(point.normal, 0.0)) | (signature_of(index) << 24u);
+    surfaces[id.x] = vec4u(bitcast<vec3u>(point.position), packed);
 }

@@ -2,14 +2,25 @@
 // of Wald et al., "Interactive Global Illumination using Fast Ray Tracing", 2002, one axis after
 // the other: first along rows, from pixels into pixels; then along columns, into points. A
 // subset's irradiance is the mean, with the weights of a tent of 2s - 1 pixels, over its pixels
-// that see the same surface; the subsets count alike.
+// that see the same surface, less of those that see other lights; the subsets count alike.
 
-@group(0) @binding(17) var<storage, read> surfaces: array<vec4f>;
+@group(0) @binding(17) var<storage, read> surfaces: array<vec4u>;
 @group(0) @binding(18) var<storage, read> gathered: array<vec4f>;
 @group(0) @binding(19) var<storage, read_write> combined: array<vec4f>;
 
-fn normal_of(surface: vec4f) -> vec4f {
-    return unpack4x8snorm(bitcast<u32>(surface.w));
+// How much the light of a point counts that sees one light more, or less, of eight.
+const UNLIKE = 0.25;
+
+struct Surface {
+    position: vec3f,
+    // 0 where there is none.
+    normal: vec3f,
+    signature: u32,
+}
+
+fn load_surface(at: i32) -> Surface {
+    let packed = surfaces[at];
+    return Surface(bitcast<vec3f>(packed.xyz), unpack4x8snorm(packed.w).xyz, packed.w >> 24u);
 }
 
 @compute @workgroup_size(64)
@@ -23,8 +34,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let stride = select(i32(params.width), 1, along_rows);
     let place = i32(select(pixel.y, pixel.x, along_rows));
     let extent = i32(select(params.height, params.width, along_rows));
-    let own = surfaces[at];
-    let normal = normal_of(own);
+    let own = load_surface(at);
     var sum = vec3f(0.0);
     var subsets = 0.0;
     for (var first = 0; first < s; first++) {
@@ -33,15 +43,17 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         for (var step = first; step > -s; step -= s) {
             let is = place + step >= 0 && place + step < extent;
             let other = select(at, at + step * stride, is);
-            let surface = surfaces[other];
-            let n = normal_of(surface);
-            let same = is && n.w > 0.5 && one_surface(normal.xyz, n.xyz, surface.xyz - own.xyz);
-            tap += vec4f(gathered[other].rgb, 1.0) * select(0.0, f32(s - abs(step)), same);
+            let seen = load_surface(other);
+            let same = is && one_surface(own.normal, seen.normal, seen.position - own.position);
+            let unlike = f32(countOneBits(own.signature ^ seen.signature));
+            let weight = f32(s - abs(step)) * pow(UNLIKE, unlike);
+            tap += vec4f(gathered[other].rgb, 1.0) * select(0.0, weight, same);
         }
-        sum += tap.rgb / max(tap.w, 1e-30);
-        subsets += select(0.0, 1.0, tap.w > 0.0);
+        // A subset that only unlike pixels gather counts less.
+        sum += tap.rgb / max(tap.w, 1.0);
+        subsets += min(tap.w, 1.0);
     }
     // What the clamp removed is summed over the image only, and stays with its pixel.
-    let result = vec4f(sum / max(subsets, 1.0), gathered[at].w);
+    let result = vec4f(sum / max(subsets, 1e-30), gathered[at].w);
     combined[select(id.x, u32(at), along_rows)] = result;
 }

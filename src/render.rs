@@ -229,7 +229,11 @@ pub fn frame(
     let shared = indirect.is_some() || settings.direct == Direct::Clustered;
     let shown = settings.method == Method::PointClusters;
     let clustered = match settings.method.clusters_points() && (shared || shown) {
-        true => renderer.cluster(&mut phases, progress)?,
+        true => {
+            let probes = if settings.probes() { settings.clustering.probes } else { 0 };
+            let probes = spread(&lights, probes as usize);
+            renderer.cluster(&probes, &mut phases, &mut counts, progress)?
+        }
         false => None,
     };
     counts.point_clusters = clustered.as_ref().map(Clustered::count);
@@ -267,6 +271,12 @@ pub fn light_paths(prepared: &Prepared, settings: &Settings, seed: u32) -> Vec<V
         seed,
     }
     .trace()
+}
+
+/// So many of the lights, evenly spaced in their order.
+fn spread(lights: &[VirtualLight], count: usize) -> Vec<VirtualLight> {
+    let count = count.min(lights.len());
+    (0..count).map(|i| lights[i * lights.len() / count]).collect()
 }
 
 /// The bound on G in normalised units; none when it is off or there are no VPLs.

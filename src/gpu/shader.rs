@@ -58,6 +58,8 @@ pub mod module {
         EXPAND = "expand" for "visibility shared by VPL clusters";
         INTERLEAVED = "interleaved" for "interleaved sampling";
         SEPARATE = "separate" for "interleaved sampling";
+        SIGNATURE_NONE = "signature_none";
+        SIGNATURE_PROBED = "signature_probed" for "probes of visibility";
         COLLECT = "collect" for "interleaved sampling";
         COMBINE = "combine" for "interleaved sampling";
         SEEN_HARD = "seen_hard";

@@ -51,6 +51,7 @@ struct Chunk {
     /// Traces its bits, or copies them from the columns.
     fill: Stage,
     shade: Stage,
+    bits: wgpu::Buffer,
 }
 
 /// Gathers the light of a set of lights.
@@ -155,8 +156,8 @@ impl<'a> Gather<'a> {
             _ => None,
         };
         let chunk = |words: u32| {
-            let bits = matrix(words)?;
-            let bits = ("bits", &bits);
+            let buffer = matrix(words)?;
+            let bits = ("bits", &buffer);
             let fill = match (&lights.columns, &column_bits) {
                 (Some(columns), Some(column_bits)) => {
                     let of_vpls = ("column_of", &columns.of_vpls);
@@ -169,7 +170,7 @@ impl<'a> Gather<'a> {
                 }
             };
             let shade = Stage::new(prepared, &shade, &[&[bits], &shading[..]].concat())?;
-            Ok::<_, GpuError>(Chunk { fill, shade })
+            Ok::<_, GpuError>(Chunk { fill, shade, bits: buffer })
         };
         let chunks = match clusters {
             None => vec![chunk(CHUNK_WORDS.min(lights.words))?],
@@ -262,6 +263,25 @@ impl<'a> Gather<'a> {
             phases.shading += chunk.shade.run(self.prepared, &params, groups)?;
         }
         Ok(rays)
+    }
+
+    /// Which of the first 32 lights the points of a tile see, a bit each; and the rays traced.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn first_word(
+        &self,
+        points: u32,
+        phases: &mut Phases,
+    ) -> Result<(Vec<u32>, u64), GpuError> {
+        let run = Run { subset: 0, first_word: 0, words: 1 };
+        let (chunk, params) = (&self.chunks[0], self.visibility_params(points, run));
+        let params = VisibilityParams { vpls: self.lights.count, ..params };
+        let rays = self.trace(&chunk.fill, params, 1, phases, &|_| {})?;
+        let start = Instant::now();
+        let bits = self.prepared.gpu.read(&chunk.bits, points as usize)?;
+        phases.readback += start.elapsed();
+        Ok((bits, rays))
     }
 
     /// Pairs of so many points with the VPLs that each gathers.

@@ -10,6 +10,7 @@ use super::gather::Gather;
 use super::interleave::Interleave;
 use super::kernels::Emitter;
 use super::light_set::LightSet;
+use super::merge::VirtualLight;
 use super::tile::TileRenderer;
 use super::visible::PointClusters;
 use super::{Counts, Direct, Phases, Progress};
@@ -56,6 +57,8 @@ pub struct Clustered {
     pub tiling: Tiling,
     /// What the camera rays have hit.
     pub records: Vec<PointRecord>,
+    /// Which of the probes they see, a bit each.
+    pub signatures: Option<Vec<u32>>,
     /// Who is in which cluster.
     pub clusters: PointClusters,
 }
@@ -68,32 +71,50 @@ impl Clustered {
 }
 
 impl<'a> TileRenderer<'a> {
-    /// Finds all visible points and clusters them. `None` if nothing is seen.
+    /// Finds all visible points and clusters them. `probes` are lights to each of which every
+    /// point traces a shadow ray. `None` if nothing is seen.
     ///
     /// # Errors
     /// The device fails.
     pub fn cluster(
         &self,
+        probes: &[VirtualLight],
         phases: &mut Phases,
+        counts: &mut Counts,
         progress: Progress<'_>,
     ) -> Result<Option<Clustered>, GpuError> {
+        let gpu = &self.prepared.gpu;
+        let buffers = &self.stages.buffers;
+        let probe = match LightSet::new(gpu, probes, None, None, 1)? {
+            Some(lights) => {
+                let (named, points) = (buffers.named(self.prepared), self.tiling.most_points());
+                Some(Gather::new(self.prepared, lights, None, &named, points)?)
+            }
+            None => None,
+        };
         let mut records = vec![PointRecord::zeroed(); self.tiling.all_points()];
+        let mut signatures = probe.as_ref().map(|_| vec![0; records.len()]);
         progress(0.0, "visible points");
         for tile in self.tiling.tiles() {
             phases.visible_points +=
                 self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;
             let start = Instant::now();
-            let points = &self.stages.buffers.points;
-            let read: Vec<PointRecord> = self.prepared.gpu.read(points, tile.points() as usize)?;
+            let read: Vec<PointRecord> = gpu.read(&buffers.points, tile.points() as usize)?;
             records[tile.of_frame()].copy_from_slice(&read);
             phases.readback += start.elapsed();
+            if let (Some(probe), Some(signatures)) = (&probe, &mut signatures) {
+                let (bits, rays) = probe.first_word(tile.points(), phases)?;
+                signatures[tile.of_frame()].copy_from_slice(&bits);
+                counts.shadow_rays += rays;
+            }
         }
         progress(0.0, "clusters");
         let start = Instant::now();
-        let clusters = PointClusters::of(&records, &self.settings.clustering, self.seed);
+        let (clustering, seen) = (&self.settings.clustering, signatures.as_deref());
+        let clusters = PointClusters::of(&records, seen, clustering, self.seed);
         phases.cluster_points += start.elapsed();
         let tiling = self.tiling;
-        Ok(clusters.map(|clusters| Clustered { tiling, records, clusters }))
+        Ok(clusters.map(|clusters| Clustered { tiling, records, signatures, clusters }))
     }
 
     /// What gathers direct light with clusters that have been found, if the settings ask for

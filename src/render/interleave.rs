@@ -84,6 +84,8 @@ pub struct Interleave {
     /// Points, and their irradiance, in the order of subsets.
     points: wgpu::Buffer,
     irradiance: wgpu::Buffer,
+    /// Which probes each point of the tile sees.
+    signatures: Option<wgpu::Buffer>,
     separate: Stage,
     collect: Stage,
     /// Along rows, then along columns.
@@ -91,7 +93,8 @@ pub struct Interleave {
 }
 
 impl Interleave {
-    /// For tiles of `tiling`; `tile` are their buffers, `combined` is what is written at last.
+    /// For tiles of `tiling`; `tile` are their buffers, `combined` is what is written at last;
+    /// `probed` is whether points have signatures.
     ///
     /// # Errors
     /// The device refuses.
@@ -101,13 +104,15 @@ impl Interleave {
         tiling: &Tiling,
         tile: &[Named<'_>],
         combined: &wgpu::Buffer,
+        probed: bool,
     ) -> Result<Self, GpuError> {
         let gpu = &prepared.gpu;
         let most = (s * s * most_points(s, tiling)) as usize;
         let points = gpu.storage::<PointRecord>("interleaved points", most)?;
         let irradiance = gpu.storage::<[f32; 4]>("interleaved irradiance", most)?;
         let pixels = tiling.most_points() as usize;
-        let surfaces = gpu.storage::<[f32; 4]>("surfaces", pixels)?;
+        let surfaces = gpu.storage::<[u32; 4]>("surfaces", pixels)?;
+        let signatures = probed.then(|| gpu.storage::<u32>("signatures", pixels)).transpose()?;
         let gathered = gpu.storage::<[f32; 4]>("gathered irradiance", pixels)?;
         let own = [
             ("separated", &points),
@@ -116,19 +121,20 @@ impl Interleave {
             ("gathered", &gathered),
         ];
         // The first buffer of a name counts.
-        let buffers = [&own[..], tile].concat();
-        let bind = |program| Stage::new(prepared, &program, &buffers);
-        let [separation, collection, combination] = kernels::interleave();
-        let (separate, collect) = (bind(separation)?, bind(collection)?);
+        let mut buffers = [&own[..], tile].concat();
+        buffers.extend(signatures.as_ref().map(|signatures| ("signatures", signatures)));
+        let separate = Stage::new(prepared, &kernels::separate(), &buffers)?;
+        let collect = Stage::new(prepared, &kernels::collect(probed), &buffers)?;
         let half = gpu.storage::<[f32; 4]>("half combined irradiance", pixels)?;
         let bind = |from_to: [Named<'_>; 2]| {
-            Stage::new(prepared, &combination, &[&from_to[..], &buffers].concat())
+            Stage::new(prepared, &kernels::combine(), &[&from_to[..], &buffers].concat())
         };
         let combine = [
             bind([("gathered", &gathered), ("combined", &half)])?,
             bind([("gathered", &half), ("combined", combined)])?,
         ];
-        Ok(Self { s, across: tiling.across(), points, irradiance, separate, collect, combine })
+        let across = tiling.across();
+        Ok(Self { s, across, points, irradiance, signatures, separate, collect, combine })
     }
 
     /// Points of a subset of a tile, at most.
@@ -139,6 +145,17 @@ impl Interleave {
     /// Where VPLs are gathered: these buffers instead of the tile's.
     pub fn named(&self) -> [Named<'_>; 2] {
         [("points", &self.points), ("irradiance", &self.irradiance)]
+    }
+
+    /// Tells which probes the points of a tile see.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn set_signatures(&self, prepared: &Prepared, seen: &[u32]) -> Result<(), GpuError> {
+        match &self.signatures {
+            Some(signatures) => prepared.gpu.write(signatures, seen),
+            None => Ok(()),
+        }
     }
 
     /// The subsets of a tile.

@@ -8,8 +8,8 @@ use crate::gpu::module::{
     EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER, INTERLEAVED, ONE_SURFACE, PACKET_RAYS,
     PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, RAY, REFLECT, REMOVED, ROW_CLUSTER,
     ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO,
-    SHOW_DEPTH, SHOW_NORMAL, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET,
-    VISIBLE,
+    SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES,
+    VISIBILITY, VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -121,18 +121,24 @@ pub fn expand() -> Program {
     Program { label: "expansion", modules: vec![&EXPAND] }
 }
 
-/// The passes of interleaved sampling: points into the order of subsets; what they have
-/// gathered into rows of pixels; and what the pixels around have gathered.
-pub fn interleave() -> [Program; 3] {
-    let passes = [("separation", &SEPARATE), ("collection", &COLLECT), ("combination", &COMBINE)];
-    passes.map(|(label, module)| {
-        let mut modules = vec![&TYPES, &PIXELS, &INTERLEAVED, module];
-        // Only the last compares surfaces.
-        if label == "combination" {
-            modules.insert(2, &ONE_SURFACE);
-        }
-        Program { label, modules }
-    })
+/// Interleaved sampling: points into the order of subsets.
+pub fn separate() -> Program {
+    let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &SEPARATE];
+    Program { label: "separation", modules }
+}
+
+/// Interleaved sampling: what points have gathered into rows of pixels, with signatures where
+/// their visibility is probed.
+pub fn collect(probed: bool) -> Program {
+    let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
+    let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, signature, &COLLECT];
+    Program { label: "collection", modules }
+}
+
+/// Interleaved sampling: what the pixels around have gathered.
+pub fn combine() -> Program {
+    let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &ONE_SURFACE, &COMBINE];
+    Program { label: "combination", modules }
 }
 
 /// Whose row of the bit matrix a point reads.
@@ -224,7 +230,9 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         ]);
         programs.extend(bounded.then(removed));
         programs.extend(settings.shares_columns().then(expand));
-        programs.extend(settings.interleaves().then(interleave).into_iter().flatten());
+        if settings.interleaves() {
+            programs.extend([separate(), collect(settings.probes()), combine()]);
+        }
     }
     programs
 }
@@ -273,7 +281,7 @@ impl Kernels {
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
     let mut programs = vec![emit(), reflect(), removed(), expand()];
-    programs.extend(interleave());
+    programs.extend([separate(), collect(false), collect(true), combine()]);
     for emitter in [Emitter::Surface, Emitter::Point] {
         let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays];
         programs.extend(tracing.map(|tracing| visibility(tracing, emitter)));

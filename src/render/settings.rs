@@ -153,6 +153,9 @@ pub struct Clustering {
     /// Nearest clusters that share a point's visibility, up to [`Clustering::MOST_FUZZY`]; 1 is
     /// hard clustering.
     pub fuzzy: u32,
+    /// VPLs, up to [`Clustering::MOST_PROBES`], to which every visible point traces a shadow ray,
+    /// which tells where it sees others than its cluster does; 0 is none.
+    pub probes: u32,
     /// What stands for a cluster of VPLs.
     pub representative: Representative,
     /// What a cluster of VPLs shares.
@@ -182,6 +185,8 @@ pub enum Representative {
 impl Clustering {
     /// The rows that the shading kernel blends, at most.
     pub const MOST_FUZZY: u32 = 4;
+    /// Bits of a signature.
+    pub const MOST_PROBES: u32 = 8;
 }
 
 impl Default for Clustering {
@@ -194,6 +199,7 @@ impl Default for Clustering {
             normal_threshold: 0.9,
             stride: 1,
             fuzzy: 1,
+            probes: 8,
             representative: Representative::default(),
             merge: Merge::default(),
         }
@@ -234,6 +240,11 @@ impl Settings {
     /// Whether edges are antialiased by more camera rays than the samples.
     pub fn antialiases(&self) -> bool {
         self.method.is_lit() && self.edge_samples > self.samples
+    }
+
+    /// Whether the visibility of visible points is probed.
+    pub fn probes(&self) -> bool {
+        self.method.clusters_points() && self.traces_light_paths() && self.clustering.probes > 0
     }
 
     /// Whether pixels gather subsets of the VPLs.

@@ -47,7 +47,7 @@ impl<'a> TileRenderer<'a> {
         let interleave = match (&stages.buffers.irradiance, indirect) {
             (Some(combined), Some(_)) if settings.interleaves() => {
                 let (s, named) = (settings.interleave, stages.buffers.named(prepared));
-                Some(Interleave::new(prepared, s, &tiling, &named, combined)?)
+                Some(Interleave::new(prepared, s, &tiling, &named, combined, settings.probes())?)
             }
             _ => None,
         };
@@ -86,6 +86,9 @@ impl<'a> TileRenderer<'a> {
                 let run = tile.of_frame();
                 let subsets = self.interleave.as_ref().map(|interleave| interleave.subsets(tile));
                 gpu.write(&buffers.points, &clustered.records[run.clone()])?;
+                if let (Some(interleave), Some(seen)) = (&self.interleave, &clustered.signatures) {
+                    interleave.set_signatures(self.prepared, &seen[run.clone()])?;
+                }
                 for direct in &gathers.direct {
                     direct.set_clusters(&clustered.clusters, run.clone(), None)?;
                 }

@@ -201,6 +201,13 @@ pub struct ClusteringArgs {
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Clustering::MOST_FUZZY)))]
     pub fuzzy: u32,
 
+    /// VPLs to which every visible point traces a shadow ray, which tells where it sees others than
+    /// its cluster does; 0 is none
+    #[arg(long, allow_negative_numbers = true, value_name = "P",
+          default_value_t = Clustering::default().probes,
+          value_parser = clap::value_parser!(u32).range(..=i64::from(Clustering::MOST_PROBES)))]
+    pub probes: u32,
+
     /// Middle iterations see one visible point in so many
     #[arg(long, allow_negative_numbers = true, value_name = "S",
           default_value_t = Clustering::default().stride,
@@ -227,6 +234,7 @@ impl ClusteringArgs {
             normal_threshold: self.normal_threshold,
             stride: self.kmeans_stride,
             fuzzy: self.fuzzy,
+            probes: self.probes,
             representative: self.representative,
             merge: self.merge,
         }
