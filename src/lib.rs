@@ -18,11 +18,15 @@
 //! 5. **Visible points**: camera rays, for each sample of every pixel of a tile.
 //! 6. **Direct light**: shadow rays to point lights and to samples of area lights.
 //! 7. **Clusters**, in the methods that use them: [`cluster`] finds visible points, and VPLs,
-//!    that may share visibility.
+//!    that may share visibility. Probes (a few shadow rays from every point) tell where a point
+//!    sees otherwise than its cluster; such points are clustered anew.
 //! 8. **Visibility**: a bit for each row (a visible point, or the representative of a cluster
 //!    of them) and each VPL.
-//! 9. **Shading**: every visible point gathers every VPL that it sees.
-//! 10. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
+//! 9. **Shading**: every visible point gathers every VPL that it sees; or one of s² subsets of
+//!    them, which the pixels around it complete.
+//! 10. **Antialiasing**: where surfaces meet in a pixel, more camera rays weigh the radiance of
+//!    the visible points around.
+//! 11. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
 //!     and how long it took; [`metrics`] says how far it is from a reference; [`study`] renders
 //!     in many settings and compares.
 //!

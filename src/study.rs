@@ -280,14 +280,15 @@ fn row(experiment: &Experiment, run: &Run, measured: &Measured) -> Row {
     }
 }
 
-/// The options of clustering that the method looks at, as the command line has them.
+/// The options that the method looks at beside those with a column, as the command line has
+/// them.
 fn options(settings: &Settings) -> String {
-    let Settings { method, clustering, .. } = settings;
+    let Settings { method, clustering, interleave, edge_samples, .. } = settings;
     let mut options = Vec::new();
     if method.clusters_points() {
-        let Clustering { point_iterations, stride, fuzzy, .. } = clustering;
+        let Clustering { point_iterations, stride, fuzzy, probes, .. } = clustering;
         options.push(format!("--point-iterations {point_iterations}"));
-        options.push(format!("--kmeans-stride {stride} --fuzzy {fuzzy}"));
+        options.push(format!("--kmeans-stride {stride} --fuzzy {fuzzy} --probes {probes}"));
     }
     if method.clusters_vpls() {
         let Clustering { vpl_iterations, representative, merge, .. } = clustering;
@@ -299,6 +300,7 @@ fn options(settings: &Settings) -> String {
     if !options.is_empty() {
         options.push(format!("--normal-threshold {}", clustering.normal_threshold));
     }
+    options.push(format!("--interleave {interleave} --edge-samples {edge_samples}"));
     options.join(" ")
 }
 
@@ -313,8 +315,8 @@ mod tests {
             normal_form(&Settings { method, clustering, ..Settings::default() }).clustering
         };
         let counts = |method| (form(method).points, form(method).vpls);
-        assert_eq!(counts(Method::Vpl), (2600, 400));
-        assert_eq!(counts(Method::Vpc), (7, 400));
+        assert_eq!(counts(Method::Vpl), (2600, 1000));
+        assert_eq!(counts(Method::Vpc), (7, 1000));
         assert_eq!(counts(Method::Vplc), (2600, 9));
         assert_eq!(counts(Method::Both), (7, 9));
     }
@@ -322,9 +324,9 @@ mod tests {
     #[test]
     fn options_are_those_that_count() {
         let text = |method| options(&Settings { method, ..Settings::default() });
-        assert_eq!(text(Method::Vpl), "");
-        assert!(text(Method::Vpc).contains("--kmeans-stride 1"));
+        assert!(text(Method::Vpl).starts_with("--interleave"));
+        assert!(text(Method::Vpc).contains("--kmeans-stride 4"));
         assert!(!text(Method::Vpc).contains("representative"));
-        assert!(text(Method::Vplc).contains("--representative member --merge light"));
+        assert!(text(Method::Vplc).contains("--representative member --merge visibility"));
     }
 }

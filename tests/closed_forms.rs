@@ -13,7 +13,7 @@ use gpu_vpl::render::{Direct, Frame, Method, Settings};
 const SCALES: [f64; 4] = [1.0, 1e-6, 37.0, 1e6];
 
 fn direct(light_samples: u32) -> Settings {
-    Settings { method: Method::Direct, light_samples: Some(light_samples), ..Settings::default() }
+    Settings { light_samples: Some(light_samples), ..Settings::of(Method::Direct) }
 }
 
 /// Pixels whose first channel is off by more than a relative tolerance, out of how many.

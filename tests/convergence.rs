@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use gpu_vpl::gpu::{AdapterChoice, Gpu};
 use gpu_vpl::image::Image;
-use gpu_vpl::render::{Clamp, Direct, Frame, Prepared, Settings, frame};
+use gpu_vpl::render::{Clamp, Direct, Frame, Method, Prepared, Settings, frame};
 use gpu_vpl::scene::{Camera, Scene};
 
 const SIZE: u32 = 48;
@@ -64,7 +64,7 @@ impl Cornell {
             clamp,
             direct: Direct::Off,
             edge_samples: 1,
-            ..Settings::default()
+            ..Settings::of(Method::Vpl)
         };
         let mut frame = frame(&self.prepared, &self.camera, &settings, seed, &|_, _| {}).unwrap();
         for pixel in &mut frame.image.pixels {

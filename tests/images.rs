@@ -17,7 +17,7 @@ use gpu_vpl::scene::Scene;
 const TOLERANCE: Tolerance = Tolerance { relative: 1e-3, absolute: 1e-4, pixels: 5 };
 
 fn settings(method: Method) -> Settings {
-    Settings { method, light_paths: 150, ..Settings::default() }
+    Settings { light_paths: 150, ..Settings::of(method) }
 }
 
 #[test]
@@ -28,7 +28,14 @@ fn builtin_scenes_look_as_they_did() {
         let mut loaded = Scene::load(&format!("builtin:{scene}")).unwrap();
         loaded.camera.size = [32, 32];
         let prepared = Prepared::new(open_gpu(), loaded, &settings(Method::Vpl)).unwrap();
-        let methods = [Method::Vpl, Method::Direct, Method::Normal, Method::Depth, Method::Albedo];
+        let methods = [
+            Method::Vpl,
+            Method::Both,
+            Method::Direct,
+            Method::Normal,
+            Method::Depth,
+            Method::Albedo,
+        ];
         for method in methods {
             let image = frame(&prepared, &settings(method)).image;
             let name = format!("{scene}-{}", method.name());

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 use common::{Build, frame, open_gpu};
 use glam::{DVec3, dvec3};
-use gpu_vpl::render::{Bounces, Clamp, Direct, Prepared, Settings, light_paths};
+use gpu_vpl::render::{Bounces, Clamp, Direct, Method, Prepared, Settings, light_paths};
 
 fn settings(light_paths: u32, bounces: u32) -> Settings {
     Settings {
@@ -14,7 +14,7 @@ fn settings(light_paths: u32, bounces: u32) -> Settings {
         bounces: Bounces::Finite(bounces),
         clamp: Clamp::Off,
         light_samples: Some(1024),
-        ..Settings::default()
+        ..Settings::of(Method::Vpl)
     }
 }
 

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use common::{Build, frame, open_gpu};
 use glam::{DVec3, dvec3};
 use gpu_vpl::bvh::Bvh;
-use gpu_vpl::render::{Bounces, LightPaths, Lights, Prepared, Settings, Vpl};
+use gpu_vpl::render::{Bounces, LightPaths, Lights, Method, Prepared, Settings, Vpl};
 use gpu_vpl::scene::Scene;
 
 fn trace(scene: &Scene, count: u32, bounces: Bounces, seed: u32) -> Vec<Vpl> {
@@ -185,7 +185,7 @@ fn bound(scale: f64, paths: u32, ground: f64) -> f64 {
     }
     build.point_light(dvec3(0.1, 0.2, 0.3), [1.0; 3]);
     build.camera(dvec3(0.0, -3.0, 0.0), DVec3::Y, 60.0, [8, 8]);
-    let settings = Settings { light_paths: paths, ..Settings::default() };
+    let settings = Settings { light_paths: paths, ..Settings::of(Method::Vpl) };
     let prepared = Prepared::new(open_gpu(), build.scene(), &settings).unwrap();
     frame(&prepared, &settings).counts.clamp.unwrap()
 }

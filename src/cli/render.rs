@@ -132,7 +132,9 @@ fn print_phases(report: &Report) {
     for (index, frame) in report.frames.iter().enumerate() {
         row(&format!("frame {index}"), frame.seconds);
     }
-    row("total", report.seconds.total);
+    row("pT, preprocess", report.seconds.preprocess);
+    row("rT, render", report.seconds.render);
+    row("tT, total", report.seconds.total);
 }
 
 /// Runs something and notes the seconds it took.

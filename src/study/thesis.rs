@@ -2,7 +2,7 @@
 
 use super::claims::{self, Claim};
 use super::{Experiment, Published, Row, Run};
-use crate::render::{Bounces, Clustering, Method, Representative, Settings};
+use crate::render::{Bounces, Clustering, Merge, Method, Representative, Settings};
 
 /// The scene that all of it is measured on.
 pub const SCENE: &str = "builtin:cornell-point";
@@ -168,28 +168,30 @@ fn clusters() -> Experiment {
     }
 }
 
-/// The thesis's options: the mean of a cluster stands for it, and light is merged.
+/// The thesis's options: hard clusters, the mean stands for a cluster of VPLs, light is merged.
 fn published_options() -> Clustering {
     Clustering {
         points: 2600,
         vpls: 400,
         point_iterations: 4,
         vpl_iterations: 2,
+        normal_threshold: 0.9,
         stride: 1,
         fuzzy: 1,
+        probes: 0,
         representative: Representative::Mean,
-        ..Clustering::default()
+        merge: Merge::Light,
     }
 }
 
 fn unclustered(light_paths: u32, bounces: u32) -> Settings {
     Settings {
-        method: Method::Vpl,
         light_paths,
         bounces: Bounces::Finite(bounces),
         // The thesis has one sample a pixel.
         edge_samples: 1,
-        ..Settings::default()
+        interleave: 1,
+        ..Settings::of(Method::Vpl)
     }
 }
 

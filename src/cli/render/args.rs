@@ -20,7 +20,7 @@ pub struct RenderArgs {
 
     /// What to show: vpl, vplc, vpc, both; direct, normal, depth, albedo; point-clusters,
     /// vpl-map, vpl-clusters-map
-    #[arg(long, default_value = "vpl", value_parser = parse::method)]
+    #[arg(long, default_value = "both", value_parser = parse::method)]
     pub method: Method,
 
     /// Light paths; each leaves up to one VPL a bounce
@@ -38,11 +38,10 @@ pub struct RenderArgs {
     pub clustering: ClusteringArgs,
 
     /// Interleaved sampling: a pixel gathers one of s × s subsets of the VPLs, and combines what
-    /// the pixels around it gathered; 1 is off
+    /// the pixels around it gathered; 1 is off [default: 4 with vpc and both, else 1]
     #[arg(long, allow_negative_numbers = true, value_name = "S",
-          default_value_t = Settings::default().interleave,
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_INTERLEAVE)))]
-    pub interleave: u32,
+    pub interleave: Option<u32>,
 
     /// Light straight from its source: per-pixel; clustered, its visibility shared by clusters of
     /// visible points as that of VPLs; or off
@@ -157,7 +156,7 @@ impl RenderArgs {
             samples: self.samples,
             edge_samples: self.edge_samples,
             clustering: self.clustering.settings(),
-            interleave: self.interleave,
+            interleave: self.interleave.unwrap_or(Settings::of(self.method).interleave),
         }
     }
 }
@@ -171,7 +170,7 @@ pub struct ClusteringArgs {
           value_parser = clap::value_parser!(u32).range(1..))]
     pub point_clusters: u32,
 
-    /// Clusters of VPLs, each of which becomes one light
+    /// Clusters of VPLs, each of which shares visibility, or becomes one light
     #[arg(long, allow_negative_numbers = true, value_name = "K",
           default_value_t = Clustering::default().vpls,
           value_parser = clap::value_parser!(u32).range(1..))]
@@ -220,7 +219,7 @@ pub struct ClusteringArgs {
     pub representative: Representative,
 
     /// What a VPL cluster shares: one light, or visibility alone
-    #[arg(long, value_name = "WHAT", default_value = "light", value_parser = parse::merge)]
+    #[arg(long, value_name = "WHAT", default_value = "visibility", value_parser = parse::merge)]
     pub merge: Merge,
 }
 

@@ -139,12 +139,17 @@ pub fn metadata(
     adapter: &str,
     elapsed: Duration,
 ) -> Metadata {
-    vec![
+    let mut metadata = vec![
         ("time", Value::Number(elapsed.as_secs_f64())),
         ("method", Value::Text(method.name().to_owned())),
         ("vpls", Value::Number(counts.vpls as f64)),
         ("seed", Value::Number(f64::from(seed))),
         ("clamp", counts.clamp.map_or(Value::Text("off".to_owned()), Value::Number)),
         ("adapter", Value::Text(adapter.to_owned())),
-    ]
+    ];
+    let clusters = [("vplClusters", counts.vpl_clusters), ("pointClusters", counts.point_clusters)];
+    for (name, count) in clusters {
+        metadata.extend(count.map(|count| (name, Value::Number(count as f64))));
+    }
+    metadata
 }
