@@ -25,7 +25,7 @@
 //! 9. **Shading**: every visible point gathers every VPL that it sees; or one of s² subsets of
 //!    them, which the pixels around it complete.
 //! 10. **Antialiasing**: where surfaces meet in a pixel, more camera rays weigh the radiance of
-//!    the visible points around.
+//!     the visible points around.
 //! 11. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
 //!     and how long it took; [`metrics`] says how far it is from a reference; [`study`] renders
 //!     in many settings and compares.
