@@ -16,7 +16,7 @@ struct VisibilityParams {
     pad2: u32,
 }
 
-@group(0) @binding(0) var<uniform> params: VisibilityParams;
+@group(0) @binding(0) var<storage, read> params: VisibilityParams;
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
 @group(0) @binding(6) var<storage, read_write> bits: array<u32>;

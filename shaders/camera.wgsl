@@ -19,7 +19,7 @@ struct CameraParams {
     pad: u32,
 }
 
-@group(0) @binding(0) var<uniform> params: CameraParams;
+@group(0) @binding(0) var<storage, read> params: CameraParams;
 
 // The unit direction in which a place of a pixel is seen.
 fn camera_direction(pixel: vec2u, inside: vec2f) -> vec3f {

@@ -7,7 +7,7 @@ struct ExpandParams {
     pad: u32,
 }
 
-@group(0) @binding(0) var<uniform> params: ExpandParams;
+@group(0) @binding(0) var<storage, read> params: ExpandParams;
 @group(0) @binding(6) var<storage, read_write> bits: array<u32>;
 @group(0) @binding(13) var<storage, read> column_bits: array<u32>;
 @group(0) @binding(14) var<storage, read> column_of: array<u32>;

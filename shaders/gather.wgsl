@@ -11,7 +11,7 @@ struct ShadeParams {
     pad1: u32,
 }
 
-@group(0) @binding(0) var<uniform> params: ShadeParams;
+@group(0) @binding(0) var<storage, read> params: ShadeParams;
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
 @group(0) @binding(6) var<storage, read> bits: array<u32>;

@@ -18,4 +18,4 @@ struct InterleaveParams {
     pass_number: u32,
 }
 
-@group(0) @binding(0) var<uniform> params: InterleaveParams;
+@group(0) @binding(0) var<storage, read> params: InterleaveParams;

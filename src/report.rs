@@ -41,7 +41,7 @@ pub struct Report {
     pub seconds: Seconds,
     pub phases: RunPhases,
     pub frames: Vec<FrameTimes>,
-    /// By the device's own clock, for the first frame; empty where it has none.
+    /// By the device's own clock, for the last frame; empty where it has none.
     pub passes: Vec<KernelTime>,
     pub threads: usize,
     /// The most memory the process ever held; null where the system does not say.

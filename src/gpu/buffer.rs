@@ -37,16 +37,17 @@ impl Gpu {
         Ok(buffer)
     }
 
-    /// A uniform buffer for one `T`.
+    /// A buffer for the parameters of a kernel, one `T`. It is a storage buffer, as Mesa's lavapipe
+    /// compiles a shader anew for all values of uniforms that loops or branches depend on.
     ///
     /// # Errors
     /// Memory is out.
-    pub fn uniform<T: Pod>(&self, label: &str) -> Result<wgpu::Buffer, GpuError> {
+    pub fn parameters<T: Pod>(&self, label: &str) -> Result<wgpu::Buffer, GpuError> {
         self.checked(&format!("allocating {label}"), || {
             self.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),
                 size: size_of::<T>() as u64,
-                usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             })
         })

@@ -151,7 +151,7 @@ impl Stage {
     ) -> Result<Self, GpuError> {
         let kernel = prepared.kernels.get(&prepared.gpu, program)?;
         // The largest of the parameter records; a kernel reads its own.
-        let params = prepared.gpu.uniform::<CameraParams>("parameters")?;
+        let params = prepared.gpu.parameters::<CameraParams>("parameters")?;
         let buffers = [buffers, &[("params", &params)]].concat();
         let bindings = prepared.gpu.bind(&kernel, &buffers)?;
         Ok(Self { kernel, bindings, params })

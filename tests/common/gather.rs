@@ -48,7 +48,7 @@ pub fn irradiance(
 ) -> Vec<[f32; 4]> {
     let kernel =
         gpu.compile(&shade(subgroups, bound.is_some(), Sharing::Own, Emitter::Surface)).unwrap();
-    let params = gpu.uniform::<ShadeParams>("params").unwrap();
+    let params = gpu.parameters::<ShadeParams>("params").unwrap();
     let count = points.len() as u32;
     let record = ShadeParams {
         points: count,
@@ -110,7 +110,7 @@ impl<'a> VisibilityPass<'a> {
         vpls: &[VplRecord],
     ) -> Self {
         let kernel = gpu.compile(&visibility(tracing, Emitter::Surface)).unwrap();
-        let params = gpu.uniform::<VisibilityParams>("params").unwrap();
+        let params = gpu.parameters::<VisibilityParams>("params").unwrap();
         // What a pass leaves alone stays as it is here.
         let words = vpls.len().div_ceil(32);
         let bits = gpu.storage_of("bits", &vec![u32::MAX; words * points.len()]).unwrap();

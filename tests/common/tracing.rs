@@ -66,7 +66,7 @@ fn with(traverse: &'static Module, bvh: &Bvh, rays: &[Ray], any: bool) -> Vec<An
     };
     let rays: Vec<TestRay> = rays.iter().map(of).collect();
     let (count, nodes) = (rays.len() as u32, bvh.nodes.len() as u32);
-    let params = gpu.uniform::<TestParams>("params").unwrap();
+    let params = gpu.parameters::<TestParams>("params").unwrap();
     gpu.write(&params, &[TestParams { rays: count, nodes, any: u32::from(any), pad: 0 }]).unwrap();
     let hits = gpu.storage::<Answer>("hits", rays.len()).unwrap();
     let buffers = [

@@ -37,15 +37,18 @@ impl Job {
         Ok((frame, times))
     }
 
-    /// Renders the same frame several times: the first, and the times of all.
+    /// Renders the same frame several times: the first, with the pass times of the last, and the
+    /// times of all.
     ///
     /// # Errors
     /// The device fails.
     pub fn repeated(&self, repeat: u32) -> Result<(Frame, Vec<FrameTimes>), GpuError> {
-        let (first, cold) = self.timed_frame()?;
+        let (mut first, cold) = self.timed_frame()?;
         let mut times = vec![cold];
         for _ in 1..repeat {
-            times.push(self.timed_frame()?.1);
+            let (frame, warm) = self.timed_frame()?;
+            first.passes = frame.passes;
+            times.push(warm);
         }
         Ok((first, times))
     }
