@@ -24,7 +24,7 @@ struct TestHit {
     pad1: u32,
 }
 
-@group(0) @binding(0) var<uniform> params: TestParams;
+@group(0) @binding(0) var<storage, read> params: TestParams;
 @group(0) @binding(3) var<storage, read> rays: array<TestRay>;
 @group(0) @binding(4) var<storage, read_write> hits: array<TestHit>;
 
