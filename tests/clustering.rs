@@ -79,7 +79,11 @@ fn images_do_not_depend_on_the_number_of_threads() {
         for clustering in all_clusterings(100, 50) {
             let images = [1, 2, 3].map(|threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-                let settings = settings(method, clustering);
+                let direct = match method.clusters_points() {
+                    true => Direct::Clustered,
+                    false => Direct::PerPixel,
+                };
+                let settings = Settings { interleave: 2, direct, ..settings(method, clustering) };
                 pool.install(|| frame(&prepared(open_gpu()), &settings).image.pixels)
             });
             assert!(images[0] == images[1] && images[1] == images[2], "{method:?} {clustering:?}");

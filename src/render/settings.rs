@@ -207,8 +207,12 @@ impl Default for Clustering {
     /// Merging VPLs at C = 2600: one light for each of 400 clusters 13 %, of 2000 2.7 % (the
     /// mean) and 3.6 % (a member); visibility alone of 400 1.2 %, of 1000 1.2 %, of 2000 1.0 %,
     /// with either. More than 4 iterations over the points gain nothing above chance; a stride
-    /// of 2, 4 or 8 saves 14, 23 or 28 ms of 52 ms. No threshold of the normals from 0.5 to
-    /// 0.97 changes a box.
+    /// of 2, 4 or 8 saves 14, 23 or 28 ms of 52 ms.
+    ///
+    /// The built-in room, of small and curved surfaces, in the columns of the table: C = 500
+    /// 20, 18, 15 and 14 %; C = 2000 13, 12, 11 and 10 %; C = 8000 8.5, 7.4, 7.7 and 6.6 %.
+    /// Visibility of 1000 clusters of VPLs: 10 % with members, 19 % with means, which hover
+    /// off the surfaces. Thresholds of the normals of 0.7, 0.9 and 0.97: 9.3, 9.0 and 10.9 %.
     fn default() -> Self {
         Self {
             points: 2600,
