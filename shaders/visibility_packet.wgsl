@@ -83,8 +83,10 @@ fn main(
     let stop = min(count, params.first + params.count);
     var finished = true;
     var i = params.first;
-    for (; i < stop; i++) {
-        let vpl = vpls[32u * word + i];
+    // A last round without rays: it is not reached if the last rays' loops were left early.
+    for (; i <= stop; i++) {
+        let vpl = vpls[32u * word + min(i, 31u)];
+        let is = i < stop;
         let origin = vpl.position + params.offset * vpl.normal;
         let d0 = e0 - origin;
         let d1 = e1 - origin;
@@ -95,10 +97,10 @@ fn main(
         let b1 = p1.position - vpl.position;
         let b2 = p2.position - vpl.position;
         let b3 = p3.position - vpl.position;
-        var open0 = is0 && dot(b0, p0.normal) < 0.0 && facing(b0, vpl.normal) > 0.0;
-        var open1 = is1 && dot(b1, p1.normal) < 0.0 && facing(b1, vpl.normal) > 0.0;
-        var open2 = is2 && dot(b2, p2.normal) < 0.0 && facing(b2, vpl.normal) > 0.0;
-        var open3 = is3 && dot(b3, p3.normal) < 0.0 && facing(b3, vpl.normal) > 0.0;
+        var open0 = is && is0 && dot(b0, p0.normal) < 0.0 && facing(b0, vpl.normal) > 0.0;
+        var open1 = is && is1 && dot(b1, p1.normal) < 0.0 && facing(b1, vpl.normal) > 0.0;
+        var open2 = is && is2 && dot(b2, p2.normal) < 0.0 && facing(b2, vpl.normal) > 0.0;
+        var open3 = is && is3 && dot(b3, p3.normal) < 0.0 && facing(b3, vpl.normal) > 0.0;
         rays += u32(open0) + u32(open1) + u32(open2) + u32(open3);
 
         let bounds = packet_bounds(low - origin, high - origin, d0, d1, d2, d3);
@@ -155,10 +157,10 @@ fn main(
             if !subgroupAny(open0 || open1 || open2 || open3) { break; }
         }
         finished = finished && (at >= params.nodes || !(open0 || open1 || open2 || open3));
-        seen0 |= u32(open0) << i;
-        seen1 |= u32(open1) << i;
-        seen2 |= u32(open2) << i;
-        seen3 |= u32(open3) << i;
+        seen0 |= u32(open0) << (i & 31u);
+        seen1 |= u32(open1) << (i & 31u);
+        seen2 |= u32(open2) << (i & 31u);
+        seen3 |= u32(open3) << (i & 31u);
     }
 
     let row = 4u * id.x;
@@ -167,5 +169,5 @@ fn main(
     if row + 1u < params.rows { bits[at + 1u] = earlier(at + 1u) | seen1; }
     if row + 2u < params.rows { bits[at + 2u] = earlier(at + 2u) | seen2; }
     if row + 3u < params.rows { bits[at + 3u] = earlier(at + 3u) | seen3; }
-    count_rays(rays, finished && i >= stop);
+    count_rays(rays, finished && i > stop);
 }
