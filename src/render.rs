@@ -12,6 +12,7 @@ mod picture;
 mod settings;
 mod stages;
 mod tile;
+mod visibility;
 mod visible;
 mod vpl;
 

@@ -2,32 +2,20 @@
 //! point, or the representative of a cluster of them) and each light, then the sum over the
 //! lights at every point.
 
-use std::cell::Cell;
 use std::ops::Range;
-use std::time::{Duration, Instant};
 
 use super::interleave::Subsets;
 use super::kernels::{self, Sharing};
 use super::light_set::LightSet;
 use super::stages::{Named, Stage};
+use super::visibility::{Tracer, point_groups};
 use super::visible::PointClusters;
 use super::{Phases, Prepared};
 use crate::gpu::{ExpandParams, GpuError, ShadeParams, VisibilityParams};
-use crate::sampling::SURFACE_OFFSET;
 
 /// Words of 32 VPLs in a chunk of the bit matrix: 8 MiB for a tile's points. Also fixes the
 /// order of the sums, so it is no matter of tuning.
 const CHUNK_WORDS: u32 = 32;
-/// Shadow rays of a dispatch, at most, where they are fast and where they are slow.
-const DISPATCH_RAYS: u32 = 1 << 23;
-const DISPATCH_RAYS_LARGE: u32 = 1 << 21;
-/// Scenes of more BVH nodes are slow.
-const LARGE_SCENE_NODES: usize = 4096;
-/// Shadow rays that an invocation traces in a dispatch at first: all of a word, or so many that
-/// llvmpipe's bound on the rounds of loops is hardly ever met.
-const RAYS_AT_ONCE: u32 = 32;
-const RAYS_AT_ONCE_LARGE: u32 = 16;
-
 /// Who has the rows of the bit matrix.
 #[derive(Debug)]
 enum Rows {
@@ -51,7 +39,6 @@ struct Chunk {
     /// Traces its bits, or copies them from the columns.
     fill: Stage,
     shade: Stage,
-    bits: wgpu::Buffer,
 }
 
 /// Gathers the light of a set of lights.
@@ -64,19 +51,7 @@ pub struct Gather<'a> {
     columns: Option<Stage>,
     /// One for each chunk of clusters' rows; one that is used again for points'.
     chunks: Vec<Chunk>,
-    counter: wgpu::Buffer,
-    /// Shadow rays that an invocation traces in a dispatch; halved where a driver cuts their
-    /// loops short.
-    rays_at_once: Cell<u32>,
-}
-
-/// How many shadow rays a dispatch may trace without taking many seconds.
-pub fn dispatch_rays(prepared: &Prepared) -> u32 {
-    if is_large(prepared) { DISPATCH_RAYS_LARGE } else { DISPATCH_RAYS }
-}
-
-fn is_large(prepared: &Prepared) -> bool {
-    prepared.bvh.nodes.len() > LARGE_SCENE_NODES
+    tracer: Tracer<'a>,
 }
 
 /// The chunks of the bit matrix, in order.
@@ -104,9 +79,9 @@ impl<'a> Gather<'a> {
         points: u32,
     ) -> Result<Self, GpuError> {
         let gpu = &prepared.gpu;
-        let counter = gpu.storage::<u32>("ray counter", 3)?;
+        let tracer = Tracer::new(prepared, lights.words * lights.subsets)?;
         let mut common: Vec<Named<'_>> = tile.to_vec();
-        common.extend([("vpls", &lights.buffer), ("counter", &counter)]);
+        common.push(("vpls", &lights.buffer));
 
         let sharing = match clusters {
             None => Sharing::Own,
@@ -115,7 +90,6 @@ impl<'a> Gather<'a> {
         };
         let (subgroups, bounded) = (gpu.has_subgroups(), lights.bound.is_some());
         let shade = kernels::shade(subgroups, bounded, sharing, lights.emitter);
-        let visibility = kernels::visibility_for(prepared, lights.emitter);
         let (rows, rows_count) = match clusters {
             None => (Rows::Points, points),
             Some(clusters) => {
@@ -151,13 +125,13 @@ impl<'a> Gather<'a> {
             (Some(columns), Some(bits)) => {
                 let buffers = [("vpls", &columns.buffer), ("bits", bits)];
                 let buffers = [&tracing[..], &buffers, &common].concat();
-                Some(Stage::new(prepared, &visibility, &buffers)?)
+                Some(tracer.stage(lights.emitter, &buffers)?)
             }
             _ => None,
         };
         let chunk = |words: u32| {
-            let buffer = matrix(words)?;
-            let bits = ("bits", &buffer);
+            let bits = matrix(words)?;
+            let bits = ("bits", &bits);
             let fill = match (&lights.columns, &column_bits) {
                 (Some(columns), Some(column_bits)) => {
                     let of_vpls = ("column_of", &columns.of_vpls);
@@ -166,19 +140,17 @@ impl<'a> Gather<'a> {
                 }
                 _ => {
                     let buffers = [&tracing[..], &[bits], &common].concat();
-                    Stage::new(prepared, &visibility, &buffers)?
+                    tracer.stage(lights.emitter, &buffers)?
                 }
             };
             let shade = Stage::new(prepared, &shade, &[&[bits], &shading[..]].concat())?;
-            Ok::<_, GpuError>(Chunk { fill, shade, bits: buffer })
+            Ok::<_, GpuError>(Chunk { fill, shade })
         };
         let chunks = match clusters {
             None => vec![chunk(CHUNK_WORDS.min(lights.words))?],
             Some(_) => runs(&lights).map(|run| chunk(run.words)).collect::<Result<_, _>>()?,
         };
-        let rays_at_once = if is_large(prepared) { RAYS_AT_ONCE_LARGE } else { RAYS_AT_ONCE };
-        let rays_at_once = Cell::new(rays_at_once);
-        Ok(Self { prepared, lights, rows, columns, chunks, counter, rays_at_once })
+        Ok(Self { prepared, lights, rows, columns, chunks, tracer })
     }
 
     /// Traces the rows of the clusters, once a frame; nothing for points. Returns the rays.
@@ -193,7 +165,13 @@ impl<'a> Gather<'a> {
         let Rows::Clusters { count, .. } = self.rows else { return Ok(0) };
         let mut rays = self.trace_columns(count, phases, progress)?;
         for (chunk, run) in self.chunks.iter().zip(runs(&self.lights)) {
-            rays += self.fill(chunk, self.visibility_params(count, run), run, phases, progress)?;
+            rays += self.fill(
+                chunk,
+                self.tracer.params(count, run.first_word, run.words),
+                run,
+                phases,
+                progress,
+            )?;
         }
         Ok(rays)
     }
@@ -246,7 +224,7 @@ impl<'a> Gather<'a> {
                 Rows::Points => (&self.chunks[0], points),
             };
             if matches!(self.rows, Rows::Points) {
-                let params = self.visibility_params(rows, run);
+                let params = self.tracer.params(rows, run.first_word, run.words);
                 let params = VisibilityParams { first_point, ..params };
                 rays += self.fill(chunk, params, run, phases, progress)?;
             }
@@ -259,29 +237,10 @@ impl<'a> Gather<'a> {
                 first_point,
                 pad: [0; 2],
             };
-            let groups = [self.point_groups(points), 1];
+            let groups = [point_groups(self.prepared, points), 1];
             phases.shading += chunk.shade.run(self.prepared, &params, groups)?;
         }
         Ok(rays)
-    }
-
-    /// Which of the first 32 lights the points of a tile see, a bit each; and the rays traced.
-    ///
-    /// # Errors
-    /// The device fails.
-    pub fn first_word(
-        &self,
-        points: u32,
-        phases: &mut Phases,
-    ) -> Result<(Vec<u32>, u64), GpuError> {
-        let run = Run { subset: 0, first_word: 0, words: 1 };
-        let (chunk, params) = (&self.chunks[0], self.visibility_params(points, run));
-        let params = VisibilityParams { vpls: self.lights.count, ..params };
-        let rays = self.trace(&chunk.fill, params, 1, phases, &|_| {})?;
-        let start = Instant::now();
-        let bits = self.prepared.gpu.read(&chunk.bits, points as usize)?;
-        phases.readback += start.elapsed();
-        Ok((bits, rays))
     }
 
     /// Pairs of so many points with the VPLs that each gathers.
@@ -299,8 +258,8 @@ impl<'a> Gather<'a> {
         let (Some(stage), Some(columns)) = (&self.columns, &self.lights.columns) else {
             return Ok(0);
         };
-        let run = Run { subset: 0, first_word: 0, words: columns.words };
-        self.trace(stage, self.visibility_params(rows, run), run.words, phases, progress)
+        let params = self.tracer.params(rows, 0, columns.words);
+        self.tracer.trace(stage, params, columns.words, phases, progress)
     }
 
     /// Writes the bits of a chunk: traces them, or copies them from the columns.
@@ -313,86 +272,12 @@ impl<'a> Gather<'a> {
         progress: &dyn Fn(f64),
     ) -> Result<u64, GpuError> {
         if self.columns.is_none() {
-            return self.trace(&chunk.fill, params, run.words, phases, progress);
+            return self.tracer.trace(&chunk.fill, params, run.words, phases, progress);
         }
         let Run { first_word: matrix_word, words, .. } = run;
         let params = ExpandParams { rows: params.rows, matrix_word, words, pad: 0 };
         let groups = [params.rows.div_ceil(64), words];
         phases.visibility += chunk.fill.run(self.prepared, &params, groups)?;
         Ok(0)
-    }
-
-    fn visibility_params(&self, rows: u32, run: Run) -> VisibilityParams {
-        VisibilityParams {
-            rows,
-            // What fills the last word up has no normal, and no ray is traced to it.
-            vpls: 32 * (run.first_word + run.words),
-            first_word: run.first_word,
-            matrix_word: run.first_word,
-            offset: SURFACE_OFFSET,
-            nodes: self.prepared.bvh.nodes.len() as u32,
-            first: 0,
-            count: 32,
-            first_point: 0,
-            pad: [0; 3],
-        }
-    }
-
-    /// Traces the shadow rays of so many words, in dispatches of a bounded number.
-    fn trace(
-        &self,
-        visibility: &Stage,
-        params: VisibilityParams,
-        words: u32,
-        phases: &mut Phases,
-        progress: &dyn Fn(f64),
-    ) -> Result<u64, GpuError> {
-        let start = Instant::now();
-        let slice = (dispatch_rays(self.prepared) / (32 * params.rows)).max(1);
-        let mut rays = 0;
-        for offset in (0..words).step_by(slice as usize) {
-            let first_word = params.matrix_word + offset;
-            let all = self.lights.words * self.lights.subsets;
-            progress(f64::from(first_word) / f64::from(all));
-            let groups = [self.point_groups(params.rows), slice.min(words - offset)];
-            let params = VisibilityParams { first_word, ..params };
-            rays += self.trace_words(visibility, params, groups)?;
-        }
-        phases.visibility += start.elapsed();
-        Ok(rays)
-    }
-
-    /// Traces the shadow rays of some words, in as many dispatches as it takes for every loop
-    /// to come to its end: some drivers bound the rounds of an invocation's loops. Returns how
-    /// many rays there were.
-    fn trace_words(
-        &self,
-        visibility: &Stage,
-        params: VisibilityParams,
-        groups: [u32; 2],
-    ) -> Result<u64, GpuError> {
-        let gpu = &self.prepared.gpu;
-        loop {
-            let count = self.rays_at_once.get();
-            gpu.clear(&[&self.counter])?;
-            for first in (0..32).step_by(count as usize) {
-                let params = VisibilityParams { first, count, ..params };
-                let _: Duration = visibility.run(self.prepared, &params, groups)?;
-            }
-            let counter: Vec<u32> = gpu.read(&self.counter, 3)?;
-            match counter[..] {
-                [low, high, 0] => return Ok(u64::from(high) << 32 | u64::from(low)),
-                _ if count > 1 => self.rays_at_once.set(count / 2),
-                _ => return Err(GpuError::LoopCut),
-            }
-        }
-    }
-
-    /// Workgroups for so many points: with subgroups a lane has four.
-    fn point_groups(&self, points: u32) -> u32 {
-        match self.prepared.gpu.has_subgroups() {
-            true => points.div_ceil(4 * 64),
-            false => points.div_ceil(64),
-        }
     }
 }

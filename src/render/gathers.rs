@@ -12,6 +12,7 @@ use super::kernels::Emitter;
 use super::light_set::LightSet;
 use super::merge::VirtualLight;
 use super::tile::TileRenderer;
+use super::visibility::Probes;
 use super::visible::PointClusters;
 use super::{Counts, Direct, Phases, Progress};
 use crate::gpu::{GpuError, PointRecord};
@@ -85,15 +86,15 @@ impl<'a> TileRenderer<'a> {
     ) -> Result<Option<Clustered>, GpuError> {
         let gpu = &self.prepared.gpu;
         let buffers = &self.stages.buffers;
-        let probe = match LightSet::new(gpu, probes, None, None, 1)? {
+        let asked = match LightSet::new(gpu, probes, None, None, 1)? {
             Some(lights) => {
                 let (named, points) = (buffers.named(self.prepared), self.tiling.most_points());
-                Some(Gather::new(self.prepared, lights, None, &named, points)?)
+                Some(Probes::new(self.prepared, &lights, &named, points)?)
             }
             None => None,
         };
         let mut records = vec![PointRecord::zeroed(); self.tiling.all_points()];
-        let mut signatures = probe.as_ref().map(|_| vec![0; records.len()]);
+        let mut signatures = asked.as_ref().map(|_| vec![0; records.len()]);
         progress(0.0, "visible points");
         for tile in self.tiling.tiles() {
             phases.visible_points +=
@@ -102,8 +103,8 @@ impl<'a> TileRenderer<'a> {
             let read: Vec<PointRecord> = gpu.read(&buffers.points, tile.points() as usize)?;
             records[tile.of_frame()].copy_from_slice(&read);
             phases.readback += start.elapsed();
-            if let (Some(probe), Some(signatures)) = (&probe, &mut signatures) {
-                let (bits, rays) = probe.first_word(tile.points(), phases)?;
+            if let (Some(probes), Some(signatures)) = (&asked, &mut signatures) {
+                let (bits, rays) = probes.seen(tile.points(), phases)?;
                 signatures[tile.of_frame()].copy_from_slice(&bits);
                 counts.shadow_rays += rays;
             }

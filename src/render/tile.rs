@@ -4,11 +4,11 @@
 use std::time::{Duration, Instant};
 
 use super::film::{Tile, Tiling, develop};
-use super::gather::dispatch_rays;
 use super::gathers::{Clustered, Gathers};
 use super::interleave::Interleave;
 use super::light_set::LightSet;
 use super::stages::{Stage, Stages};
+use super::visibility::dispatch_rays;
 use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};
 use crate::gpu::{CameraParams, DirectParams, GpuError, PointRecord};
 use crate::image::Image;

@@ -1,0 +1,181 @@
+//! Shadow rays between points and lights: a bit each, word by word of 32 lights.
+
+use std::cell::Cell;
+use std::time::{Duration, Instant};
+
+use super::kernels::{self, Emitter};
+use super::light_set::LightSet;
+use super::stages::{Named, Stage};
+use super::{Phases, Prepared};
+use crate::gpu::{GpuError, VisibilityParams};
+use crate::sampling::SURFACE_OFFSET;
+
+/// Shadow rays of a dispatch, at most, where they are fast and where they are slow.
+const DISPATCH_RAYS: u32 = 1 << 23;
+const DISPATCH_RAYS_LARGE: u32 = 1 << 21;
+/// Scenes of more BVH nodes are slow.
+const LARGE_SCENE_NODES: usize = 4096;
+/// Shadow rays that an invocation traces in a dispatch at first: all of a word, or so many that
+/// llvmpipe's bound on the rounds of loops is hardly ever met.
+const RAYS_AT_ONCE: u32 = 32;
+const RAYS_AT_ONCE_LARGE: u32 = 16;
+
+/// Traces the shadow rays of a set of lights.
+#[derive(Debug)]
+pub struct Tracer<'a> {
+    prepared: &'a Prepared,
+    /// Words of lights in all, for progress.
+    words: u32,
+    counter: wgpu::Buffer,
+    /// Shadow rays that an invocation traces in a dispatch; halved where a driver cuts their
+    /// loops short.
+    rays_at_once: Cell<u32>,
+}
+
+/// How many shadow rays a dispatch may trace without taking many seconds.
+pub fn dispatch_rays(prepared: &Prepared) -> u32 {
+    if is_large(prepared) { DISPATCH_RAYS_LARGE } else { DISPATCH_RAYS }
+}
+
+fn is_large(prepared: &Prepared) -> bool {
+    prepared.bvh.nodes.len() > LARGE_SCENE_NODES
+}
+
+/// Workgroups for so many points: with subgroups a lane has four.
+pub fn point_groups(prepared: &Prepared, points: u32) -> u32 {
+    match prepared.gpu.has_subgroups() {
+        true => points.div_ceil(4 * 64),
+        false => points.div_ceil(64),
+    }
+}
+
+impl<'a> Tracer<'a> {
+    /// For so many words of lights in all.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn new(prepared: &'a Prepared, words: u32) -> Result<Self, GpuError> {
+        let counter = prepared.gpu.storage::<u32>("ray counter", 3)?;
+        let rays_at_once = if is_large(prepared) { RAYS_AT_ONCE_LARGE } else { RAYS_AT_ONCE };
+        Ok(Self { prepared, words, counter, rays_at_once: Cell::new(rays_at_once) })
+    }
+
+    /// Binds the buffers of a pass: points, lights and the bits that are written.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn stage(&self, emitter: Emitter, buffers: &[Named<'_>]) -> Result<Stage, GpuError> {
+        let buffers = [buffers, &[("counter", &self.counter)]].concat();
+        Stage::new(self.prepared, &kernels::visibility_for(self.prepared, emitter), &buffers)
+    }
+
+    /// The parameters for so many rows and a run of words.
+    pub fn params(&self, rows: u32, first_word: u32, words: u32) -> VisibilityParams {
+        VisibilityParams {
+            rows,
+            // What fills the last word up has no normal, and no ray is traced to it.
+            vpls: 32 * (first_word + words),
+            first_word,
+            matrix_word: first_word,
+            offset: SURFACE_OFFSET,
+            nodes: self.prepared.bvh.nodes.len() as u32,
+            first: 0,
+            count: 32,
+            first_point: 0,
+            pad: [0; 3],
+        }
+    }
+
+    /// Traces the shadow rays of so many words, in dispatches of a bounded number.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn trace(
+        &self,
+        visibility: &Stage,
+        params: VisibilityParams,
+        words: u32,
+        phases: &mut Phases,
+        progress: &dyn Fn(f64),
+    ) -> Result<u64, GpuError> {
+        let start = Instant::now();
+        let slice = (dispatch_rays(self.prepared) / (32 * params.rows)).max(1);
+        let mut rays = 0;
+        for offset in (0..words).step_by(slice as usize) {
+            let first_word = params.matrix_word + offset;
+            progress(f64::from(first_word) / f64::from(self.words));
+            let groups = [point_groups(self.prepared, params.rows), slice.min(words - offset)];
+            let params = VisibilityParams { first_word, ..params };
+            rays += self.trace_words(visibility, params, groups)?;
+        }
+        phases.visibility += start.elapsed();
+        Ok(rays)
+    }
+
+    /// Traces the shadow rays of some words, in as many dispatches as it takes for every loop
+    /// to come to its end: some drivers bound the rounds of an invocation's loops. Returns how
+    /// many rays there were.
+    fn trace_words(
+        &self,
+        visibility: &Stage,
+        params: VisibilityParams,
+        groups: [u32; 2],
+    ) -> Result<u64, GpuError> {
+        let gpu = &self.prepared.gpu;
+        loop {
+            let count = self.rays_at_once.get();
+            gpu.clear(&[&self.counter])?;
+            for first in (0..32).step_by(count as usize) {
+                let params = VisibilityParams { first, count, ..params };
+                let _: Duration = visibility.run(self.prepared, &params, groups)?;
+            }
+            let counter: Vec<u32> = gpu.read(&self.counter, 3)?;
+            match counter[..] {
+                [low, high, 0] => return Ok(u64::from(high) << 32 | u64::from(low)),
+                _ if count > 1 => self.rays_at_once.set(count / 2),
+                _ => return Err(GpuError::LoopCut),
+            }
+        }
+    }
+}
+
+/// A few lights to each of which every point traces a shadow ray.
+#[derive(Debug)]
+pub struct Probes<'a> {
+    tracer: Tracer<'a>,
+    count: u32,
+    stage: Stage,
+    bits: wgpu::Buffer,
+}
+
+impl<'a> Probes<'a> {
+    /// Up to 32 lights, for tiles of at most so many points.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn new(
+        prepared: &'a Prepared,
+        lights: &LightSet,
+        tile: &[Named<'_>],
+        points: u32,
+    ) -> Result<Self, GpuError> {
+        let tracer = Tracer::new(prepared, 1)?;
+        let bits = prepared.gpu.storage::<u32>("signatures", points as usize)?;
+        let own = [("vpls", &lights.buffer), ("bits", &bits)];
+        let stage = tracer.stage(lights.emitter, &[&own[..], tile].concat())?;
+        Ok(Self { tracer, count: lights.count, stage, bits })
+    }
+
+    /// Which of them the points of a tile see, a bit each; and the rays traced.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn seen(&self, points: u32, phases: &mut Phases) -> Result<(Vec<u32>, u64), GpuError> {
+        let params = VisibilityParams { vpls: self.count, ..self.tracer.params(points, 0, 1) };
+        let rays = self.tracer.trace(&self.stage, params, 1, phases, &|_| {})?;
+        let start = Instant::now();
+        let bits = self.tracer.prepared.gpu.read(&self.bits, points as usize)?;
+        phases.readback += start.elapsed();
+        Ok((bits, rays))
+    }
+}
