@@ -153,6 +153,23 @@ fn deviation(image: &Image, reference: &Image) -> (f64, f64) {
     (off / mean, square.sqrt() / mean)
 }
 
+/// Points that see otherwise than their cluster get clusters of their own.
+#[test]
+fn probes_bring_clusters_nearer_to_all_vpls() {
+    let prepared = prepared(open_gpu());
+    let all = frame(&prepared, &settings(Method::Vpl, Clustering::default())).image;
+    for fuzzy in [1, 4] {
+        let spread = |probes| {
+            let clustering = Clustering { points: 60, fuzzy, probes, ..Clustering::default() };
+            let image = frame(&prepared, &settings(Method::Vpc, clustering)).image;
+            deviation(&image, &all).1
+        };
+        let (without, with) = (spread(0), spread(8));
+        println!("fuzzy {fuzzy}: {with} against {without}");
+        assert!(with < 0.9 * without, "fuzzy {fuzzy}: {with} against {without}");
+    }
+}
+
 /// Lights of different colours merge to the sum of their light, channel by channel.
 #[test]
 fn merged_lights_keep_colour_and_energy() {

@@ -195,7 +195,10 @@ fn most_points(s: u32, tiling: &Tiling) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use bytemuck::Zeroable;
+
     use super::*;
+    use crate::gpu::{AdapterChoice, Gpu, Pass};
 
     #[test]
     fn every_point_is_in_one_subset() {
@@ -207,6 +210,51 @@ mod tests {
                 let mut found: Vec<u32> = separated.iter().copied().filter(|&p| p > 0).collect();
                 found.sort_unstable();
                 assert_eq!(found, points, "s = {s}");
+            }
+        }
+    }
+
+    /// Points go into the order of subsets as on the host, and their values come back to the
+    /// pixels that they are from, for every sample.
+    #[test]
+    fn what_the_device_separates_it_collects_again() {
+        let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
+        let separate = gpu.compile(&kernels::separate()).unwrap();
+        let collect = gpu.compile(&kernels::collect(false)).unwrap();
+        for (s, sample) in [(2, 0), (2, 1), (3, 1), (4, 3), (8, 5)] {
+            let subsets = Subsets::of(s, 5, 15, sample);
+            let params = subsets.params();
+            let named = |surface| PointRecord { surface, ..PointRecord::zeroed() };
+            let records: Vec<_> = (0..15 * BLOCK).map(named).collect();
+            let params_buffer = gpu.parameters::<InterleaveParams>("params").unwrap();
+            gpu.write(&params_buffer, &[params]).unwrap();
+            let points = gpu.storage_of("points", &records).unwrap();
+            let separated =
+                gpu.storage::<PointRecord>("separated", params.points as usize).unwrap();
+            let buffers =
+                [("params", &params_buffer), ("points", &points), ("separated", &separated)];
+            let bindings = gpu.bind(&separate, &buffers).unwrap();
+            let workgroups = [params.points.div_ceil(BLOCK), 1];
+            gpu.run(&[Pass { kernel: &separate, bindings: &bindings, workgroups }]).unwrap();
+            let found: Vec<PointRecord> = gpu.read(&separated, params.points as usize).unwrap();
+            let surfaces: Vec<u32> = records.iter().map(|record| record.surface + 1).collect();
+            let expected = subsets.separate(&surfaces, 1);
+            let found: Vec<u32> = found.iter().map(|r| r.surface.wrapping_add(1)).collect();
+            assert_eq!(found, expected, "s = {s}, sample {sample}");
+
+            let values: Vec<[f32; 4]> = found.iter().map(|&name| [name as f32; 4]).collect();
+            let irradiance = gpu.storage_of("irradiance", &values).unwrap();
+            let surfaces = gpu.storage::<[u32; 4]>("surfaces", records.len()).unwrap();
+            let gathered = gpu.storage::<[f32; 4]>("gathered", records.len()).unwrap();
+            let buffers = [&buffers[..2], &[("irradiance", &irradiance)]].concat();
+            let own = [("surfaces", &surfaces), ("gathered", &gathered)];
+            let bindings = gpu.bind(&collect, &[&buffers[..], &own].concat()).unwrap();
+            gpu.run(&[Pass { kernel: &collect, bindings: &bindings, workgroups: [15, 1] }])
+                .unwrap();
+            let gathered: Vec<[f32; 4]> = gpu.read(&gathered, records.len()).unwrap();
+            for (at, value) in (0..).zip(gathered) {
+                let point = point_of([at % 40, at / 40], 40);
+                assert_eq!(value[0], (point + 1) as f32, "s = {s}, sample {sample}, pixel {at}");
             }
         }
     }
