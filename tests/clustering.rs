@@ -165,7 +165,6 @@ fn probes_bring_clusters_nearer_to_all_vpls() {
             deviation(&image, &all).1
         };
         let (without, with) = (spread(0), spread(8));
-        println!("fuzzy {fuzzy}: {with} against {without}");
         assert!(with < 0.9 * without, "fuzzy {fuzzy}: {with} against {without}");
     }
 }
