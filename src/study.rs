@@ -4,6 +4,7 @@
 mod claims;
 pub mod csv;
 pub mod markdown;
+pub mod results;
 pub mod thesis;
 
 use std::time::Instant;
