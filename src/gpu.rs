@@ -18,7 +18,7 @@ pub use error::GpuError;
 pub use kernel::Kernel;
 pub use layout::{
     AreaLightRecord, CameraParams, DirectParams, ExpandParams, InterleaveParams, MaterialRecord,
-    NodeRecord, PointLightRecord, PointRecord, ShadeParams, TriangleRecord, VisibilityParams,
+    NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, TriangleRecord, VisibilityParams,
     VplRecord,
 };
 pub use pass::{Bindings, Pass};

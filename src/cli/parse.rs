@@ -5,11 +5,12 @@ use crate::image::Tone;
 use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
 
 /// The methods there are.
-const METHODS: [Method; 11] = [
+const METHODS: [Method; 12] = [
     Method::Vpl,
     Method::Vplc,
     Method::Vpc,
     Method::Both,
+    Method::Path,
     Method::Direct,
     Method::Normal,
     Method::Depth,
@@ -19,19 +20,12 @@ const METHODS: [Method; 11] = [
     Method::VplClustersMap,
 ];
 
-/// Those of the command line's contract that are still to come.
-const LATER_METHODS: [&str; 1] = ["path"];
-
 pub fn method(text: &str) -> Result<Method, String> {
     if let Some(method) = METHODS.into_iter().find(|method| method.name() == text) {
         return Ok(method);
     }
     let known = METHODS.map(Method::name).join(", ");
-    if LATER_METHODS.contains(&text) {
-        Err(format!("this method is not supported yet; give one of {known}"))
-    } else {
-        Err(format!("give one of {known}"))
-    }
+    Err(format!("give one of {known}"))
 }
 
 /// One of the auxiliary images.
@@ -195,10 +189,10 @@ mod tests {
     }
 
     #[test]
-    fn a_later_method_is_told_from_an_unknown_one() {
+    fn methods_go_by_their_names() {
         assert_eq!(method("vpl"), Ok(Method::Vpl));
-        assert!(method("path").unwrap_err().contains("not supported yet"));
-        assert!(!method("bogus").unwrap_err().contains("yet"));
+        assert_eq!(method("path"), Ok(Method::Path));
+        assert!(method("bogus").unwrap_err().contains("both, path, direct"));
         assert_eq!(direct("clustered"), Ok(Direct::Clustered));
     }
 
