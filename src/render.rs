@@ -31,8 +31,8 @@ pub use vpl::{LightPaths, Vpl};
 
 use gathers::{Clustered, Gathers};
 use light_set::LightSet;
-use path::PathTracer;
 pub use merge::{VirtualLight, VplClusters};
+use path::PathTracer;
 use tile::TileRenderer;
 
 /// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels

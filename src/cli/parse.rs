@@ -1,6 +1,7 @@
 //! The values of options, and how a wrong one is told.
 
 use super::compare::MapKind;
+use super::render::Aov;
 use crate::image::Tone;
 use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
 
@@ -29,10 +30,10 @@ pub fn method(text: &str) -> Result<Method, String> {
 }
 
 /// One of the auxiliary images.
-pub fn aov(text: &str) -> Result<Method, String> {
-    let known = [Method::Normal, Method::Albedo, Method::Depth];
-    let found = known.into_iter().find(|method| method.name() == text);
-    found.ok_or_else(|| "give some of normal,albedo,depth".to_owned())
+pub fn aov(text: &str) -> Result<Aov, String> {
+    let data = [Method::Normal, Method::Albedo, Method::Depth].map(Aov::Of);
+    let found = data.into_iter().chain([Aov::StandardError]).find(|aov| aov.name() == text);
+    found.ok_or_else(|| "give some of normal,albedo,depth,standard-error".to_owned())
 }
 
 pub fn bounces(text: &str) -> Result<Bounces, String> {

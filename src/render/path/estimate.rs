@@ -38,8 +38,8 @@ impl Estimates {
             for channel in 0..3 {
                 let step = f64::from(sum.mean[channel]) - pixel.mean[channel];
                 pixel.mean[channel] += step * samples / all;
-                pixel.squares[channel] += f64::from(sum.squares[channel])
-                    + step * step * self.samples * samples / all;
+                pixel.squares[channel] +=
+                    f64::from(sum.squares[channel]) + step * step * self.samples * samples / all;
             }
             shadow_rays += sum.shadow_rays as u64;
         }
