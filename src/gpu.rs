@@ -18,8 +18,8 @@ pub use error::GpuError;
 pub use kernel::Kernel;
 pub use layout::{
     AreaLightRecord, CameraParams, DirectParams, ExpandParams, InterleaveParams, MaterialRecord,
-    NodeRecord, PointLightRecord, PointRecord, ShadeParams, TriangleRecord, VisibilityParams,
-    VplRecord,
+    NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams,
+    TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};

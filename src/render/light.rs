@@ -63,7 +63,7 @@ impl Lights {
             })
             .collect();
         let mut sum = 0.0;
-        let point_power = scene
+        let point_power: Vec<f64> = scene
             .point_lights
             .iter()
             .map(|light| {
@@ -71,14 +71,20 @@ impl Lights {
                 sum
             })
             .collect();
+        let mut before = 0.0;
         let point = scene
             .point_lights
             .iter()
-            .map(|light| PointLightRecord {
-                position: light.position.to_array(),
-                pad0: 0.0,
-                intensity: light.intensity.to_array(),
-                pad1: 0.0,
+            .zip(&point_power)
+            .map(|(light, &up_to)| {
+                let record = PointLightRecord {
+                    position: light.position.to_array(),
+                    before: (before / sum) as f32,
+                    intensity: light.intensity.to_array(),
+                    probability: ((up_to - before) / sum) as f32,
+                };
+                before = up_to;
+                record
             })
             .collect();
         Self { area, point, area_power, point_power }
