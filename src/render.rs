@@ -19,6 +19,8 @@ mod vpl;
 
 use std::time::{Duration, Instant};
 
+use serde::{Deserialize, Serialize};
+
 use crate::bvh::Bvh;
 use crate::gpu::{Gpu, GpuError, MaterialRecord, PassTime};
 use crate::image::Image;
@@ -150,7 +152,7 @@ impl Phases {
 }
 
 /// What a frame counted.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Counts {
     /// Visible points that hit a surface.
     pub visible_points: u64,

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::gpu::{AdapterInfo, PassTime};
 use crate::image::Image;
@@ -98,7 +98,7 @@ pub struct RunPhases {
 }
 
 /// Seconds of the phases of one frame.
-#[derive(Debug, Clone, Copy, Default, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[expect(missing_docs, reason = "as in `render::Phases`")]
 pub struct FramePhases {
     pub visible_points: f64,
@@ -128,7 +128,7 @@ impl From<&PassTime> for KernelTime {
 }
 
 /// How long one of the repeated frames took.
-#[derive(Debug, Clone, Copy, Default, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameTimes {
     /// Wall clock of the whole frame.
     pub seconds: f64,

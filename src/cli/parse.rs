@@ -4,6 +4,7 @@ use super::compare::MapKind;
 use super::render::Aov;
 use crate::image::Tone;
 use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
+use crate::study::{presets, thesis};
 
 /// The methods there are.
 const METHODS: [Method; 12] = [
@@ -72,9 +73,10 @@ pub fn merge(text: &str) -> Result<Merge, String> {
 /// The experiments of `study`.
 pub fn preset(text: &str) -> Result<&'static str, String> {
     match text {
-        "thesis" => Ok("thesis"),
-        "quick" | "extremes" => Err("not supported yet; give thesis".to_owned()),
-        _ => Err("give thesis".to_owned()),
+        thesis::NAME => Ok(thesis::NAME),
+        presets::QUICK => Ok(presets::QUICK),
+        "extremes" => Err("not supported yet; give thesis or quick".to_owned()),
+        _ => Err("give thesis or quick".to_owned()),
     }
 }
 
