@@ -4,6 +4,8 @@
 mod claims;
 pub mod csv;
 pub mod markdown;
+pub mod page;
+pub mod plot;
 pub mod results;
 pub mod thesis;
 
