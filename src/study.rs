@@ -7,7 +7,9 @@ pub mod fit;
 pub mod markdown;
 mod measure;
 pub mod options;
+pub mod page;
 mod plan;
+pub mod plot;
 pub mod presets;
 mod reference;
 pub mod results;
@@ -206,7 +208,9 @@ impl Work<'_> {
                 tell(Event::Warning(warning));
             }
             let Some(found) = self.study.found.last_mut() else { continue };
-            reference.about.id = format!("{scene} reference {}", found.references.len() + 1);
+            let id = format!("reference {}", found.references.len() + 1);
+            reference.about.image = Some(id.clone());
+            reference.about.id = id;
             found.references.push(reference);
         }
         Ok(())

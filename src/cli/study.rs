@@ -163,7 +163,7 @@ fn check_one_image(plan: &Plan) -> Result<(), Error> {
 /// Usage is refused, an input cannot be read, an output cannot be written, or the device fails.
 pub fn run(args: &StudyArgs) -> Result<(), Error> {
     let plan = args.plan()?;
-    let outputs = Outputs::check(&args.output, &plan)?;
+    let outputs = Outputs::check(&args.output)?;
     render::start_threads(args.threads)?;
     let store = Store::open(&outputs.store(), args.fresh)?;
     let progress = Progress::new(&plan, args.quiet);

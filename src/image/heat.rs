@@ -3,11 +3,11 @@
 use super::label;
 
 /// Colours at equal steps, between which they are mixed as sRGB.
-type Ramp = [[u8; 3]];
+pub type Ramp = [[u8; 3]];
 
 /// Magma, by N. Smith and S. van der Walt (matplotlib, CC0), in steps of an eighth: from black
 /// to pale yellow, its lightness in proportion to the value.
-const SEQUENTIAL: &Ramp = &[
+pub const SEQUENTIAL: &Ramp = &[
     [0, 0, 4],
     [28, 16, 68],
     [79, 18, 123],
@@ -20,7 +20,8 @@ const SEQUENTIAL: &Ramp = &[
 ];
 
 /// Blue for what is below 0, white for 0, red above.
-const DIVERGING: &Ramp = &[[0, 0, 96], [64, 104, 232], [255, 255, 255], [232, 72, 56], [96, 0, 0]];
+pub const DIVERGING: &Ramp =
+    &[[0, 0, 96], [64, 104, 232], [255, 255, 255], [232, 72, 56], [96, 0, 0]];
 
 /// What is left out of the map.
 const MASKED: [u8; 3] = [96; 3];

@@ -1,6 +1,6 @@
 //! The studies that have a name, and the one of a scene that nothing more is said of.
 
-use super::{Experiment, Plan, ReferencePlan, Run, options};
+use super::{Experiment, Plan, ReferencePlan, Run};
 use crate::render::{Method, Settings};
 
 /// The name of the preset that takes a few minutes at most.
@@ -36,51 +36,43 @@ pub fn quick(scenes: Vec<String>) -> Plan {
 }
 
 fn methods() -> Vec<Experiment> {
-    let paths = |method, counts: &[u32]| {
-        let settings = |&light_paths: &u32| Settings { light_paths, ..Settings::of(method) };
-        counts.iter().map(settings).collect()
-    };
-    let samples = |samples| Settings { samples, ..Settings::of(Method::Path) };
     vec![
-        curve("both", "clusters of visible points and of VPLs", paths(Method::Both, &BOTH)),
-        curve("vpc", "clusters of visible points", paths(Method::Vpc, &ONE)),
-        curve("vplc", "clusters of VPLs", paths(Method::Vplc, &ONE)),
-        curve("vpl", "every point from every VPL", paths(Method::Vpl, &ONE)),
-        curve("path", "path tracing", [4, 16, 64, 256].map(samples).into()),
+        over_paths("both", "clusters of visible points and of VPLs", Method::Both, &CLUSTERED),
+        over_paths("vpc", "clusters of visible points", Method::Vpc, &CLUSTERED),
+        over_paths("vplc", "clusters of VPLs", Method::Vplc, &EVERY_POINT),
+        over_paths("vpl", "every point from every VPL", Method::Vpl, &EVERY_POINT),
+        over_samples("path", "path tracing", &SAMPLES),
     ]
 }
 
-/// Light paths where clusters make them cheap, and where they do not.
-const BOTH: [u32; 4] = [500, 2000, 8000, 32000];
-const ONE: [u32; 3] = [250, 500, 1000];
+/// Light paths where clusters of points make them cheap, and where they do not.
+const CLUSTERED: [u32; 4] = [500, 2000, 8000, 32000];
+const EVERY_POINT: [u32; 3] = [250, 500, 1000];
+/// Samples of the path tracer.
+const SAMPLES: [u32; 3] = [4, 16, 64];
 
-fn curve(name: &str, title: &str, settings: Vec<Settings>) -> Experiment {
-    let run = |settings| Run { setting: label(&settings), settings, thesis: None };
+fn over_paths(name: &str, what: &str, method: Method, counts: &[u32]) -> Experiment {
+    let run = |&light_paths: &u32| Run {
+        setting: format!("--vpls {light_paths}"),
+        settings: Settings { light_paths, ..Settings::of(method) },
+        thesis: None,
+    };
     Experiment {
         name: name.to_owned(),
-        title: format!("`{name}`: {title}"),
-        runs: settings.into_iter().map(run).collect(),
+        title: format!("`{name}`: {what}"),
+        runs: counts.iter().map(run).collect(),
     }
 }
 
-/// The options beside the method that are no defaults.
-fn label(settings: &Settings) -> String {
-    let changed = options::changed(settings);
-    let label = changed.split_once(" --").map(|(_, rest)| format!("--{rest}"));
-    label.unwrap_or_else(|| "defaults".to_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn labels_are_what_differs_from_the_defaults() {
-        let plan = quick(Vec::new());
-        let labels = |index: usize| -> Vec<_> {
-            plan.experiments[index].runs.iter().map(|run| run.setting.as_str()).collect()
-        };
-        assert_eq!(labels(0), ["--vpls 500", "--vpls 2000", "defaults", "--vpls 32000"]);
-        assert_eq!(labels(3), ["--vpls 250", "--vpls 500", "--vpls 1000"]);
+fn over_samples(name: &str, what: &str, counts: &[u32]) -> Experiment {
+    let run = |&samples: &u32| Run {
+        setting: format!("--samples {samples}"),
+        settings: Settings { samples, ..Settings::of(Method::Path) },
+        thesis: None,
+    };
+    Experiment {
+        name: name.to_owned(),
+        title: format!("`{name}`: {what}"),
+        runs: counts.iter().map(run).collect(),
     }
 }

@@ -152,6 +152,7 @@ pub fn hash_of_image(image: &Image) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::FrameTimes;
 
     #[test]
     fn what_is_kept_is_there_again_whatever_was_cut_off() {

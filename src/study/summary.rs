@@ -1,8 +1,11 @@
 //! Measurements summed up: a row for each setting, over its seeds.
 
 use super::measure::Measured;
+use super::page::Picture;
 use super::results::{Curve, Errors, Metric, Results, Row, SCHEMA, SceneResults, Spread};
-use super::{Experiment, Found, FoundFrame, Plan, Run, Study, fit, options, thesis, unclustered};
+use super::{
+    Experiment, Found, FoundFrame, Plan, Reference, Run, Study, fit, options, thesis, unclustered,
+};
 use crate::gpu::AdapterInfo;
 use crate::metrics::Comparison;
 use crate::render::{Bounces, Counts, Settings};
@@ -31,6 +34,28 @@ impl Study {
             claims,
         }
     }
+
+    /// The references, and of each row the picture of its first seed.
+    pub fn pictures(&self, results: &Results) -> Vec<Picture> {
+        let mut pictures: Vec<Picture> = Vec::new();
+        for (found, scene) in self.found.iter().zip(&results.scenes) {
+            for Reference { image, about, .. } in &found.references {
+                pictures.push(Picture::encode(&about.id, &about.label, &found.scene, image));
+            }
+            for row in &scene.rows {
+                let Some(id) = &row.image else { continue };
+                let known = |picture: &Picture| picture.id == *id && picture.scene == found.scene;
+                if pictures.iter().any(known) {
+                    continue;
+                }
+                if let Some(image) = self.store.image(id) {
+                    let label = format!("{}, {}", row.experiment, row.setting);
+                    pictures.push(Picture::encode(id, &label, &found.scene, &image));
+                }
+            }
+        }
+        pictures
+    }
 }
 
 fn scene(plan: &Plan, found: &Found) -> SceneResults {
@@ -58,7 +83,28 @@ fn scene(plan: &Plan, found: &Found) -> SceneResults {
     for (curve, fits) in scene.experiments.iter_mut().zip(fits) {
         curve.fits = fits;
     }
+    warn_of_noise(&mut scene);
     scene
+}
+
+/// A reference whose own noise makes more of the least error than this is too noisy.
+const MOST_NOISE: f64 = 0.1;
+
+/// Says of references that their own noise is much of what rows seem to be wrong.
+fn warn_of_noise(scene: &mut SceneResults) {
+    for reference in &mut scene.references {
+        let Some(noise) = reference.noise else { continue };
+        let own = scene.rows.iter().filter(|row| row.reference.as_ref() == Some(&reference.id));
+        let errors = own.filter_map(|row| Some(row.total?.relmse.mean));
+        let share = noise.relmse / errors.fold(f64::INFINITY, f64::min);
+        if share > MOST_NOISE {
+            reference.warnings.push(format!(
+                "its own noise is {:.0} % of the least relMSE measured with it; more \
+                 --reference-samples tell more",
+                100.0 * share
+            ));
+        }
+    }
 }
 
 /// None before the first of its seeds is measured.
