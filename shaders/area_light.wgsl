@@ -20,8 +20,11 @@ struct LightSample {
     end: vec3f,
     // Whether light and point face each other.
     faces: bool,
-    // Over the probability density of the place; what the point receives if nothing is between.
-    irradiance: vec3f,
+    radiance: vec3f,
+    // The geometry term between place and point, 1 / length^2.
+    geometry: f32,
+    // Of the place, by area.
+    density: f32,
 }
 
 fn sample_area_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> LightSample {
@@ -36,7 +39,12 @@ fn sample_area_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> 
     let cosine = dot(to_light, point.normal);
     let facing = -dot(to_light, light.normal);
     let emitted = select(facing, abs(facing), light.two_sided != 0u);
-    let weight = cosine * emitted * light.area / (square * square * light.probability);
-    let end = on_light + light.normal * (sign(facing) * offset);
-    return LightSample(end, cosine > 0.0 && emitted > 0.0, light.radiance * weight);
+    let geometry = cosine * emitted / (square * square);
+    return LightSample(
+        on_light + light.normal * (sign(facing) * offset),
+        cosine > 0.0 && emitted > 0.0,
+        light.radiance,
+        geometry,
+        light.probability / light.area,
+    );
 }

@@ -17,7 +17,7 @@ fn main(
         let light = sample_area_light(point, u, params.lights, params.offset);
         let limit = select(0.0, 1.0, is && light.faces);
         let hit = traverse(origin, light.end - origin, limit, params.nodes, true, invocation);
-        if limit > 0.0 && hit.triangle == NOTHING { sum += light.irradiance; }
+        if limit > 0.0 && hit.triangle == NOTHING { sum += light.radiance * (light.geometry / light.density); }
     }
     if is { irradiance[id.x] += vec4f(sum * params.share, 0.0); }
 }

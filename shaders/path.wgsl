@@ -12,7 +12,9 @@ struct PathParams {
     lights: u32,
     nodes: u32,
     offset: f32,
-    pad: u32,
+    // Density of the places drawn on an area light over its mean radiance and its sides; 0 if
+    // emission that the next segment finds does not count.
+    light_density: f32,
 }
 
 @group(0) @binding(0) var<storage, read> params: PathParams;

@@ -10,5 +10,8 @@ fn main(
     let u = path_random(slot, paths[slot].stream, LIGHT_DIMENSIONS);
     let light = sample_area_light(points[slot], u, params.lights, params.offset);
     let is = id.x < params.paths && light.faces;
-    receive(slot, light.end, light.irradiance, is, invocation);
+    // The direction could have been drawn as well, if what it finds counts.
+    let met = select(0.0, light.geometry / PI, params.light_density > 0.0);
+    let weight = mis_weight(light.density, met) * light.geometry / light.density;
+    receive(slot, light.end, light.radiance * weight, is, invocation);
 }

@@ -38,7 +38,10 @@ fn main(
     let hit = traverse(origin, direction, limit, params.nodes, false, invocation);
     if id.x < params.paths { survivors[id.x] = select(slot, NOTHING, hit.triangle == NOTHING); }
     if hit.triangle != NOTHING {
-        points[slot] = hit_point(hit, direction);
-        paths[slot] = Path(throughput / probability, path.stream);
+        let next = hit_point(hit, direction);
+        let carried = throughput / probability;
+        points[slot] = next;
+        paths[slot] = Path(carried, path.stream);
+        find_emission(slot, carried, next, direction, dot(point.normal, direction));
     }
 }

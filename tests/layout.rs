@@ -99,7 +99,7 @@ fn records() -> Vec<Record> {
         record!(PathRecord as "Path" { throughput, stream }),
         record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),
         record!(PathParams as "PathParams" {
-            paths, bounce, first_sample, samples, lights, nodes, offset, pad,
+            paths, bounce, first_sample, samples, lights, nodes, offset, light_density,
         }),
         record!(InterleaveParams as "InterleaveParams" {
             width, height, s, rotation, subset_width, subset_points, points, pass_number,

@@ -319,6 +319,7 @@ pub struct PathParams {
     pub nodes: u32,
     /// Distance by which rays are kept off surfaces.
     pub offset: f32,
-    /// Unused.
-    pub pad: u32,
+    /// Density of the places drawn on an area light over its mean radiance and its sides; 0 if
+    /// emission that the next segment finds does not count.
+    pub light_density: f32,
 }

@@ -86,6 +86,9 @@ pub mod module {
         PATH_AREA = "path_area" for "area lights";
         ROULETTE = "roulette" for "Russian roulette";
         NO_ROULETTE = "no_roulette";
+        MIS = "mis" for "area lights";
+        PATH_EMISSION = "path_emission" for "area lights";
+        PATH_NO_EMISSION = "path_no_emission";
         PATH_BOUNCE = "path_bounce" for "path tracing";
         PATH_COUNT = "path_count" for "path tracing";
         PATH_COMPACT = "path_compact" for "path tracing";

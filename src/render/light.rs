@@ -90,6 +90,12 @@ impl Lights {
         Self { area, point, area_power, point_power }
     }
 
+    /// The probability density, by area, of a place on an area light, over the mean of its radiance
+    /// and the number of its sides; 0 without area lights.
+    pub fn area_density(&self) -> f32 {
+        if self.area.is_empty() { 0.0 } else { (f64::from(PI) / self.area_power) as f32 }
+    }
+
     /// The area light whose interval of probability holds `u`, and where in it.
     fn area_at(&self, u: f64) -> (&AreaLightRecord, f32) {
         let at = self.area.partition_point(|l| f64::from(l.before) <= u).saturating_sub(1);

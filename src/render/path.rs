@@ -126,7 +126,7 @@ impl<'a> PathTracer<'a> {
             lights: 0,
             nodes: self.prepared.bvh.nodes.len() as u32,
             offset: SURFACE_OFFSET,
-            pad: 0,
+            light_density: 0.0,
         };
         let groups = [wave.paths().div_ceil(64), 1];
         phases.visible_points +=
@@ -137,14 +137,16 @@ impl<'a> PathTracer<'a> {
         let mut params = PathParams { paths: self.survivors(&params, phases)?, ..params };
         counts.visible_points += u64::from(params.paths);
         while params.paths > 0 {
-            let time = match params.bounce {
-                0 => &mut phases.direct,
-                _ => &mut phases.visibility,
-            };
-            if params.bounce > 0 || self.settings.direct != Direct::Off {
-                *time += self.shadow_rays(&params)?;
-            }
+            // The light of a vertex: from shadow rays, and from what the next segment happens upon.
+            let is_lit = params.bounce > 0 || self.settings.direct != Direct::Off;
             let last = self.settings.bounces == Bounces::Finite(params.bounce);
+            let density = self.prepared.lights.area_density();
+            params.light_density = if is_lit && !last { density } else { 0.0 };
+            if is_lit {
+                let time = self.shadow_rays(&params)?;
+                *(if params.bounce == 0 { &mut phases.direct } else { &mut phases.visibility }) +=
+                    time;
+            }
             let Some(bounce) = stages.bounce.as_ref().filter(|_| !last) else { break };
             let groups = [params.paths.div_ceil(64), 1];
             phases.visibility += bounce.run(self.prepared, &params, groups)?;

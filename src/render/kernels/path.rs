@@ -2,9 +2,9 @@
 
 use super::{Prepared, emit, traverse};
 use crate::gpu::module::{
-    AREA_LIGHT, CAMERA, CHOOSE_LIGHT, HIT_POINT, NO_ROULETTE, PATH, PATH_AREA, PATH_BOUNCE,
-    PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_LIGHT, PATH_POINT, PATH_RANDOM, PATH_STATE,
-    PATH_SUM, PIXELS, POINT_LIGHT, RAY, ROULETTE, SAMPLING, TYPES,
+    AREA_LIGHT, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA, PATH_BOUNCE,
+    PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT,
+    PATH_RANDOM, PATH_STATE, PATH_SUM, PIXELS, POINT_LIGHT, RAY, ROULETTE, SAMPLING, TYPES,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, Settings};
@@ -29,15 +29,20 @@ pub fn point(subgroups: bool) -> Program {
 
 /// Shadow rays to area lights.
 pub fn area(subgroups: bool) -> Program {
-    let last = [&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_AREA];
+    let last = [&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA];
     Program { label: "paths, area lights", modules: vertex(subgroups, &last) }
 }
 
-/// The way on from a vertex to the next.
-pub fn bounce(subgroups: bool, bounces: Bounces) -> Program {
+/// The way on from a vertex to the next, where area lights may be met.
+pub fn bounce(subgroups: bool, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
-    let modules = vertex(subgroups, &[&HIT_POINT, survival, &PATH_BOUNCE]);
-    Program { label: "paths, bounce", modules }
+    let mut last = vec![&HIT_POINT, survival];
+    match areas {
+        true => last.extend([&MIS, &PATH_EMISSION]),
+        false => last.push(&PATH_NO_EMISSION),
+    }
+    last.push(&PATH_BOUNCE);
+    Program { label: "paths, bounce", modules: vertex(subgroups, &last) }
 }
 
 /// How many paths go on.
@@ -70,7 +75,7 @@ pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     programs.extend((lit && areas).then(|| area(subgroups)));
     programs.extend((lit && points).then(|| point(subgroups)));
     let bounces = settings.bounces != Bounces::Finite(0);
-    programs.extend(bounces.then(|| bounce(subgroups, settings.bounces)));
+    programs.extend(bounces.then(|| bounce(subgroups, settings.bounces, areas)));
     programs
 }
 
@@ -79,9 +84,10 @@ pub(super) fn all() -> Vec<Program> {
     let mut programs = vec![count(), compact(), sum()];
     for subgroups in [false, true] {
         programs.extend([camera(subgroups), point(subgroups), area(subgroups)]);
-        programs.extend(
-            [Bounces::Finite(1), Bounces::Unlimited].map(|bounces| bounce(subgroups, bounces)),
-        );
+        for areas in [false, true] {
+            let kinds = [Bounces::Finite(1), Bounces::Unlimited];
+            programs.extend(kinds.map(|bounces| bounce(subgroups, bounces, areas)));
+        }
     }
     programs
 }

@@ -94,9 +94,10 @@ impl Stages {
                 }
             }
         }
+        let areas = prepared.area_lights.is_some();
         let emit = prepared.area_lights.as_ref().map(|_| bind(kernels::emit())).transpose()?;
         let bounces = settings.bounces != Bounces::Finite(0);
-        let bounce = bounces.then(|| bind(programs::bounce(subgroups, settings.bounces)));
+        let bounce = bounces.then(|| bind(programs::bounce(subgroups, settings.bounces, areas)));
         Ok(Self {
             camera: bind(programs::camera(subgroups))?,
             emit,
