@@ -45,7 +45,7 @@ const COLUMNS: [Column; 38] = [
     ("speedup", |row| maybe(row.speedup)),
     ("efficiency", |row| maybe(row.efficiency)),
     ("reference", |row| row.reference.clone().unwrap_or_default()),
-    ("pareto", |row| row.pareto.iter().map(|metric| metric.name()).collect::<Vec<_>>().join(" ")),
+    ("pareto", |row| row.pareto.iter().map(|metric| metric.name()).collect::<Vec<_>>().join("; ")),
     ("thesis_preprocess", |row| maybe(row.thesis.and_then(|thesis| thesis.preprocess))),
     ("thesis_render", |row| maybe(row.thesis.and_then(|thesis| thesis.render))),
     ("thesis_total", |row| maybe(row.thesis.map(|thesis| thesis.total))),

@@ -38,7 +38,7 @@ pub fn quick(scenes: Vec<String>) -> Plan {
 fn methods() -> Vec<Experiment> {
     vec![
         over_paths("both", "clusters of visible points and of VPLs", Method::Both, &CLUSTERED),
-        over_paths("vpc", "clusters of visible points", Method::Vpc, &CLUSTERED),
+        over_paths("vpc", "clusters of visible points", Method::Vpc, &CLUSTERED[..3]),
         over_paths("vplc", "clusters of VPLs", Method::Vplc, &EVERY_POINT),
         over_paths("vpl", "every point from every VPL", Method::Vpl, &EVERY_POINT),
         over_samples("path", "path tracing", &SAMPLES),
@@ -59,7 +59,7 @@ fn over_paths(name: &str, what: &str, method: Method, counts: &[u32]) -> Experim
     };
     Experiment {
         name: name.to_owned(),
-        title: format!("`{name}`: {what}"),
+        title: what.to_owned(),
         runs: counts.iter().map(run).collect(),
     }
 }
@@ -72,7 +72,7 @@ fn over_samples(name: &str, what: &str, counts: &[u32]) -> Experiment {
     };
     Experiment {
         name: name.to_owned(),
-        title: format!("`{name}`: {what}"),
+        title: what.to_owned(),
         runs: counts.iter().map(run).collect(),
     }
 }

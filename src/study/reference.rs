@@ -45,8 +45,8 @@ const PASSES: u32 = 16;
 /// Seeds of passes begin here, far from those of rows.
 const FIRST_SEED: u32 = 0x5eed_0000;
 /// A given reference is checked against an image of so many samples in all, so that its mean is
-/// known to a part in a thousand; of a pixel at least, and at most, so many.
-const CHECK_SAMPLES: u32 = 1 << 24;
+/// known to about a part in a thousand; of a pixel at least, and at most, so many.
+const CHECK_SAMPLES: u32 = 1 << 22;
 const CHECK_LEAST_SAMPLES: u32 = 64;
 const CHECK_MOST_SAMPLES: u32 = 4096;
 /// It is said to be too bright, or too dark, from so many standard errors on, and from so much.
