@@ -1,0 +1,367 @@
+//! The path tracer against closed forms, against the other methods, and against its own standard
+//! error.
+
+#![expect(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
+
+mod common;
+
+use std::f64::consts::PI;
+
+use common::{Build, open_gpu, room};
+use glam::{DVec3, dvec3};
+use gpu_vpl::image::Image;
+use gpu_vpl::render::{self, Bounces, Clamp, Direct, Frame, Method, Prepared, Settings};
+use gpu_vpl::scene::Scene;
+
+fn settings(samples: u32, bounces: Bounces) -> Settings {
+    Settings { samples, bounces, ..Settings::of(Method::Path) }
+}
+
+fn frame(prepared: &Prepared, settings: &Settings, seed: u32) -> Frame {
+    let camera = prepared.scene.camera;
+    render::frame(prepared, &camera, settings, seed, &|_, _| {}).unwrap()
+}
+
+fn prepare(scene: Scene, settings: &Settings) -> Prepared {
+    Prepared::new(open_gpu(), scene, settings).unwrap()
+}
+
+/// Mean of a channel over the image, and its standard error.
+fn mean_and_error(frame: &Frame, channel: usize) -> (f64, f64) {
+    let n = frame.image.pixels.len() as f64;
+    let sum = |image: &Image, power: i32| -> f64 {
+        image.pixels.iter().map(|pixel| f64::from(pixel[channel]).powi(power)).sum()
+    };
+    let error = frame.standard_error.as_ref().map_or(0.0, |error| sum(error, 2).sqrt() / n);
+    (sum(&frame.image, 1) / n, error)
+}
+
+/// The mean of the image is what is expected: to 4 of its standard errors, which are below 2 %,
+/// and to 1 %, as stratified samples are better than independent ones.
+fn assert_mean(frame: &Frame, expected: [f64; 3], what: &str) {
+    for (channel, expected) in expected.into_iter().enumerate() {
+        let (mean, error) = mean_and_error(frame, channel);
+        assert!(error <= 0.02 * expected, "{what}: error {error} of {expected}");
+        // Where every sample is the same, rounding is left.
+        let most = (4.0 * error + 2e-6 * expected).min(0.01 * expected);
+        let off = (mean - expected).abs();
+        assert!(off <= most, "{what}, {channel}: {mean}, not {expected}, ± {error}");
+    }
+}
+
+/// A closed box whose walls all emit and reflect.
+fn furnace(albedo: [f64; 3], emission: [f64; 3], scale: f64) -> Build {
+    let mut build = Build::at(scale, DVec3::ZERO);
+    let wall = build.material(albedo, emission, false);
+    build.cuboid(wall, dvec3(-1.0, -0.8, -0.6), dvec3(1.0, 0.8, 0.6), true);
+    build.camera(dvec3(-0.3, 0.2, 0.1), dvec3(1.0, 0.4, 0.2), 90.0, [32, 32]);
+    build
+}
+
+/// Emission, direct light and B bounces are B + 2 terms of a geometric series.
+#[test]
+fn furnace_has_the_radiance_of_its_geometric_series() {
+    let emission = [1.0, 0.5, 2.0];
+    let cases = [
+        ([0.2, 0.5, 0.8], Bounces::Finite(0), 1.0),
+        ([0.2, 0.5, 0.8], Bounces::Finite(1), 1e-6),
+        ([0.2, 0.5, 0.8], Bounces::Finite(2), 1.0),
+        ([0.9, 0.5, 1.0], Bounces::Finite(5), 1e6),
+        ([0.2, 0.5, 0.8], Bounces::Unlimited, 37.0),
+        ([0.5, 0.0, 0.0], Bounces::Unlimited, 1.0),
+        ([0.98; 3], Bounces::Unlimited, 1.0),
+        ([0.999; 3], Bounces::Finite(300), 1.0),
+    ];
+    for (albedo, bounces, scale) in cases {
+        let frame = furnace(albedo, emission, scale).render(&settings(64, bounces));
+        let expected = [0, 1, 2].map(|channel| {
+            let rho: f64 = albedo[channel];
+            let series = match bounces {
+                Bounces::Finite(most) => (0..most + 2).map(|k| rho.powi(k as i32)).sum(),
+                Bounces::Unlimited => 1.0 / (1.0 - rho),
+            };
+            emission[channel] * series
+        });
+        assert_mean(&frame, expected, &format!("ρ {albedo:?}, {bounces:?}"));
+    }
+}
+
+/// Without the light that comes straight from its source the series lacks its second term.
+#[test]
+fn a_furnace_without_direct_light_lacks_one_term() {
+    for bounces in [Bounces::Finite(0), Bounces::Finite(2), Bounces::Unlimited] {
+        let settings = Settings { direct: Direct::Off, ..settings(64, bounces) };
+        let frame = furnace([0.6; 3], [1.0; 3], 1.0).render(&settings);
+        let series = match bounces {
+            Bounces::Finite(0) => 1.0,
+            Bounces::Finite(_) => 1.0 + 0.36 + 0.216,
+            Bounces::Unlimited => 1.0 / 0.4 - 0.6,
+        };
+        assert_mean(&frame, [series; 3], &format!("{bounces:?}"));
+    }
+}
+
+/// The plane z = 0 seen from straight above.
+fn plane(scale: f64, fov: f64, size: u32) -> Build {
+    let mut build = Build::at(scale, DVec3::ZERO);
+    let white = build.material(ALBEDO, [0.0; 3], false);
+    let corner = |x, y| dvec3(x, y, 0.0);
+    let corners = [corner(-8.0, -8.0), corner(8.0, -8.0), corner(8.0, 8.0), corner(-8.0, 8.0)];
+    build.polygon(white, &corners);
+    build.camera(dvec3(0.0, 0.0, EYE), DVec3::NEG_Z, fov, [size; 2]);
+    build
+}
+
+const ALBEDO: [f64; 3] = [0.5, 0.25, 1.0];
+const EYE: f64 = 0.45;
+
+/// Irradiance of a polygon of radiance 1, all of it above the horizon (Lambert, 1760).
+fn lambert(corners: &[DVec3], at: DVec3) -> f64 {
+    let edges = (0..corners.len()).map(|i| {
+        let [a, b] = [i, i + 1].map(|i| (corners[i % corners.len()] - at).normalize());
+        a.angle_between(b) * a.cross(b).normalize().z
+    });
+    (0.5 * edges.sum::<f64>()).abs()
+}
+
+/// Every pixel is right to 5 standard errors, for one or two sides, alone (B = 0) and with the
+/// weights of multiple importance sampling (a black lamp reflects nothing).
+#[test]
+fn a_quad_light_by_lamberts_formula() {
+    let (center, u, v) = (dvec3(0.4, -0.1, 1.2), dvec3(0.5, 0.1, 0.2), dvec3(0.0, 0.6, -0.3));
+    let quad = [center - u - v, center - u + v, center + u + v, center + u - v];
+    let size = 4;
+    for (two_sided, bounces) in [(false, 0), (true, 0), (false, 1), (true, 1)] {
+        let mut build = plane(37.0, 1.0, size);
+        let lamp = build.material([0.0; 3], [4.0, 2.0, 1.0], two_sided);
+        build.polygon(lamp, &quad);
+        let frame = build.render(&settings(1024, Bounces::Finite(bounces)));
+        let error = frame.standard_error.unwrap();
+        for (pixel, error) in frame.image.pixels.iter().zip(&error.pixels) {
+            for channel in 0..3 {
+                // The camera sees next to nothing but the origin.
+                let radiance = [4.0, 2.0, 1.0][channel];
+                let expected = ALBEDO[channel] / PI * radiance * lambert(&quad, DVec3::ZERO);
+                let (got, error) = (f64::from(pixel[channel]), f64::from(error[channel]));
+                assert!(error < 0.03 * expected, "{error} of {expected}");
+                assert!((got - expected).abs() < 4.0 * error, "{got}, not {expected}, ± {error}");
+            }
+        }
+    }
+}
+
+/// E = I h / (h² + x²)^1.5 of every light; which of the lights is chance.
+#[test]
+fn point_lights_over_a_plane() {
+    let lights = [(dvec3(0.3, -0.2, 0.7), 2.0), (dvec3(-1.0, 0.5, 1.5), 9.0)];
+    let irradiance = |light: DVec3| light.z / light.length().powi(3);
+    for count in [1, 2] {
+        let mut build = plane(1e-3, 1e-3, 4);
+        for (light, intensity) in &lights[..count] {
+            build.point_light(*light, [*intensity; 3]);
+        }
+        let frame = build.render(&settings(256, Bounces::Finite(2)));
+        let sum: f64 = lights[..count].iter().map(|(at, i)| i * irradiance(*at)).sum();
+        assert_mean(&frame, ALBEDO.map(|albedo| albedo / PI * sum), "point lights");
+        assert_eq!(frame.counts.shadow_rays, 16 * 256, "one shadow ray a vertex");
+    }
+}
+
+/// Unit squares opposite each other at distance 1 have the form factor 0.1998 (Howell, C-11): the
+/// mean irradiance of one is π L times that. The camera sees all of the floor, and nothing else.
+#[test]
+fn the_form_factor_of_opposite_squares() {
+    let mut build = Build::new();
+    let floor = build.material([0.5; 3], [0.0; 3], false);
+    let lamp = build.material([0.0; 3], [1.0; 3], false);
+    let square = |z| [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| dvec3(x, y, z));
+    build.polygon(floor, &square(0.0));
+    let mut ceiling = square(1.0);
+    ceiling.reverse();
+    build.polygon(lamp, &ceiling);
+    build.camera(dvec3(0.5, 0.5, 0.5), DVec3::NEG_Z, 90.0, [16, 16]);
+    for bounces in [0, 3] {
+        let frame = prepare_and_render(&build, &settings(256, Bounces::Finite(bounces)));
+        assert_mean(&frame, [0.5 * 0.199_825; 3], "form factor");
+    }
+}
+
+fn prepare_and_render(build: &Build, settings: &Settings) -> Frame {
+    let build = Build { draft: build.draft.clone(), ..*build };
+    build.render(settings)
+}
+
+/// The same light as the other methods compute: direct light alone, and all of it by unclamped
+/// VPLs.
+#[test]
+fn other_methods_agree() {
+    let scene = || room(1.0, DVec3::ZERO, [24, 24]).scene();
+    let path = settings(1024, Bounces::Finite(0));
+    let prepared = prepare(scene(), &path);
+    // With as many visible points, spread over the pixels alike.
+    let many = Settings {
+        samples: 64,
+        light_samples: Some(64),
+        edge_samples: 1,
+        ..Settings::of(Method::Direct)
+    };
+    for (bounces, other) in [
+        (0, many),
+        (
+            2,
+            Settings {
+                method: Method::Vpl,
+                light_paths: 4000,
+                clamp: Clamp::Off,
+                samples: 16,
+                light_samples: Some(64),
+                ..many
+            },
+        ),
+    ] {
+        let bounces = Bounces::Finite(bounces);
+        let path = frame(&prepared, &Settings { bounces, ..path }, 1);
+        let other = frame(&prepared, &Settings { bounces, ..other }, 1);
+        for channel in 0..3 {
+            let (mean, error) = mean_and_error(&path, channel);
+            let (expected, _) = mean_and_error(&other, channel);
+            // VPLs in corners have heavy tails: 4000 paths are off by some 0.2 %.
+            let most = 4.0 * error + if bounces == Bounces::Finite(0) { 1e-3 } else { 0.01 } * mean;
+            let off = mean - expected;
+            assert!(off.abs() < most, "{bounces:?}, {channel}: {mean} and {expected}, ± {error}");
+        }
+    }
+}
+
+/// Emission is what the other methods show, edges and backs of lights included.
+#[test]
+fn emission_is_that_of_the_other_methods() {
+    for method in [Method::Path, Method::Direct] {
+        let mut build = Build::new();
+        let lamps = [false, true].map(|two| build.material([0.5; 3], [4.0, 5.0, 6.0], two));
+        for (x, lamp) in [(-0.5, lamps[0]), (0.5, lamps[1])] {
+            let corner = |y, z| dvec3(x, y, z);
+            build.triangle(lamp, [corner(-0.2, -0.2), corner(0.2, -0.2), corner(0.0, 0.3)]);
+        }
+        let settings = Settings {
+            direct: Direct::Off,
+            bounces: Bounces::Finite(0),
+            samples: 1,
+            edge_samples: 1,
+            ..Settings::of(method)
+        };
+        // The triangles face +x: from there both are lit, from behind the two-sided one alone.
+        for (from, direction, lit) in [
+            (3.0, DVec3::NEG_X, 2),
+            (0.0, DVec3::NEG_X, 1),
+            (0.0, DVec3::X, 1),
+            (-3.0, DVec3::X, 0),
+        ] {
+            build.camera(dvec3(from, 0.0, 0.0), direction, 1.0, [1, 1]);
+            let frame = prepare_and_render(&build, &settings);
+            let expected = if lit > 0 { [4.0, 5.0, 6.0] } else { [0.0; 3] };
+            assert_eq!(frame.image.pixels, [expected], "{method:?} from {from}");
+            assert_eq!(frame.standard_error, None);
+        }
+    }
+}
+
+/// The Cornell box in a small picture.
+fn cornell(size: u32) -> Prepared {
+    let mut scene = Scene::load("builtin:cornell").unwrap();
+    scene.camera.size = [size; 2];
+    prepare(scene, &settings(4, Bounces::Unlimited))
+}
+
+/// Pixels of the lamp are constant: of no interest, and of a radiance that hides the others.
+fn dim(image: &Image) -> impl Iterator<Item = (usize, [f64; 3])> {
+    let dim = |pixel: &[f32; 3]| pixel.iter().all(|&c| c < 5.0).then(|| pixel.map(f64::from));
+    image.pixels.iter().enumerate().filter_map(move |(at, pixel)| Some((at, dim(pixel)?)))
+}
+
+/// Error over samples falls faster than by the rate of Monte Carlo, and the standard error that a
+/// frame reports is that of the frames of other seeds, or a little more.
+#[test]
+fn convergence_and_the_standard_error() {
+    const SEEDS: u32 = 12;
+    let prepared = cornell(24);
+    let reference = frame(&prepared, &settings(16_384, Bounces::Unlimited), 1000);
+    let mut points = Vec::new();
+    for samples in [4, 16, 64, 256] {
+        let (mut square, mut reported, mut count) = (0.0, 0.0, 0.0);
+        for seed in 0..SEEDS {
+            let frame = frame(&prepared, &settings(samples, Bounces::Unlimited), seed);
+            let error = frame.standard_error.unwrap();
+            for (at, expected) in dim(&reference.image) {
+                for channel in 0..3 {
+                    let got = f64::from(frame.image.pixels[at][channel]);
+                    square += (got - expected[channel]).powi(2);
+                    reported += f64::from(error.pixels[at][channel]).powi(2);
+                    count += 1.0;
+                }
+            }
+        }
+        let (rmse, reported) = ((square / count).sqrt(), (reported / count).sqrt());
+        // The standard error takes stratified samples for independent ones: the more there are,
+        // the better they are than that.
+        let (ratio, most) = (reported / rmse, f64::from(samples).powf(0.25));
+        assert!((0.97..most).contains(&ratio), "{samples} samples: {reported} for {rmse}");
+        points.push((f64::from(samples).ln(), rmse.ln()));
+    }
+    let slope = slope(&points);
+    assert!((-1.0..-0.5).contains(&slope), "slope {slope} of {points:?}");
+}
+
+/// Slope of a straight line through points, by least squares.
+fn slope(points: &[(f64, f64)]) -> f64 {
+    let count = points.len() as f64;
+    let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0 / count, y + p.1 / count));
+    let top: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    top / points.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
+}
+
+/// Two kinds of traversal, one image.
+#[test]
+fn adapters_without_subgroups_render_the_same() {
+    let settings = settings(16, Bounces::Unlimited);
+    let scene = || room(1.0, DVec3::ZERO, [24, 24]).scene();
+    let packets = frame(&prepare(scene(), &settings), &settings, 1);
+    let plain = Prepared::new(open_gpu().without_subgroups(), scene(), &settings).unwrap();
+    let single = frame(&plain, &settings, 1);
+    // A ray through an edge may meet the other triangle.
+    let differ =
+        packets.image.pixels.iter().zip(&single.image.pixels).filter(|(a, b)| {
+            a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 1e-5 * b.abs().max(1e-3))
+        });
+    let differ = differ.count();
+    assert!(differ <= 2, "{differ} pixels differ");
+}
+
+#[test]
+fn seeds_differ_and_repeat() {
+    let prepared = cornell(16);
+    let settings = settings(4, Bounces::Finite(2));
+    let [one, again, other] = [5, 5, 6].map(|seed| frame(&prepared, &settings, seed));
+    assert_eq!(one.image, again.image);
+    assert_eq!(one.standard_error, again.standard_error);
+    assert_eq!(one.counts, again.counts);
+    let same = one.image.pixels.iter().zip(&other.image.pixels).filter(|(a, b)| a == b).count();
+    assert!(same < 16, "{same} pixels of 256 are the same");
+}
+
+/// What the path tracer does not need is not linked, and what it counts is right.
+#[test]
+fn only_what_paths_need_is_linked() {
+    let settings = settings(2, Bounces::Finite(1));
+    let prepared = prepare(room(1.0, DVec3::ZERO, [8, 8]).scene(), &settings);
+    let left_out = prepared.left_out();
+    for feature in ["indirect light", "clamp", "antialiasing of edges", "Russian roulette"] {
+        assert!(left_out.contains(&feature), "{feature} is linked: {left_out:?}");
+    }
+    for feature in ["path tracing", "area lights", "point lights"] {
+        assert!(!left_out.contains(&feature), "{feature} is not linked");
+    }
+    let counts = frame(&prepared, &settings, 1).counts;
+    assert_eq!((counts.vpls, counts.clamp, counts.visible_points), (0, None, 128));
+    assert!(counts.shadow_rays > 128 && counts.shadow_rays <= 4 * 128, "{counts:?}");
+}
