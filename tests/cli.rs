@@ -350,34 +350,6 @@ fn the_same_seed_gives_the_same_bytes() {
 }
 
 #[test]
-fn paths_give_the_same_bytes_for_any_number_of_threads() {
-    let path = "render --size 24x16 --method path --bounces unlimited --quiet -o -";
-    let png = |options: &str| run(&format!("{path} {options}")).succeeds().stdout;
-    let first = png("--threads 1");
-    assert_eq!(png("--threads 2"), first);
-    assert_eq!(png("--threads 3"), first);
-    assert_ne!(png("--seed 1"), first);
-}
-
-#[test]
-fn the_standard_error_of_paths_is_an_image_and_a_number() {
-    let run = run("render --size 16x12 --method path --quiet -o a.png -o b.exr --report r.json \
-                   --aov standard-error,depth");
-    assert_eq!(
-        run.succeeds().files,
-        ["a.depth.png", "a.png", "a.standard-error.png", "b.exr", "r.json"]
-    );
-    let exr = exr::prelude::read_all_flat_layers_from_file(run.path("b.exr")).unwrap();
-    let names = exr.layer_data[0].channel_data.list.iter().map(|c| c.name.to_string());
-    assert_eq!(names.filter(|name| name.starts_with("standard-error.")).count(), 3);
-    let report: Value = serde_json::from_slice(&fs::read(run.path("r.json")).unwrap()).unwrap();
-    assert!(report["standard_error"].as_f64() > Some(0.0), "{report}");
-    assert_eq!((&report["samples"], &report["vpls"]), (&16.into(), &0.into()));
-    assert_eq!((&report["light_paths"], &report["clamp"]), (&0.into(), &Value::Null));
-    assert!(report["shadow_rays"].as_u64() > Some(16 * 192), "{report}");
-}
-
-#[test]
 fn direct_light_alone_is_no_reason_to_warn() {
     let run = run(&format!("{SMALL} -o a.png --bounces 0 --strict"));
     assert_eq!(run.succeeds().stderr, "");
