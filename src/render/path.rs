@@ -148,17 +148,20 @@ impl<'a> PathTracer<'a> {
         while params.paths > 0 {
             // The light of a vertex: from shadow rays, and from what the next segment happens upon.
             let is_lit = params.bounce > 0 || self.settings.direct != Direct::Off;
-            let last = self.settings.bounces == Bounces::Finite(params.bounce);
-            let density = self.prepared.lights.area_density();
-            params.light_density = if is_lit && !last { density } else { 0.0 };
+            params.light_density = if is_lit { self.prepared.lights.area_density() } else { 0.0 };
             if is_lit {
                 let time = self.shadow_rays(&params)?;
-                *(if params.bounce == 0 { &mut phases.direct } else { &mut phases.visibility }) +=
-                    time;
+                let first = params.bounce == 0;
+                *(if first { &mut phases.direct } else { &mut phases.visibility }) += time;
             }
-            let Some(bounce) = stages.bounce.as_ref().filter(|_| !last) else { break };
+            let last = self.settings.bounces == Bounces::Finite(params.bounce);
+            let goes_on = !last || params.light_density > 0.0;
+            let Some(segment) = stages.segment.as_ref().filter(|_| goes_on) else { break };
             let groups = [params.paths.div_ceil(64), 1];
-            phases.visibility += bounce.run(self.prepared, &params, groups)?;
+            phases.visibility += segment.run(self.prepared, &params, groups)?;
+            if last {
+                break;
+            }
             params.paths = self.survivors(&params, phases)?;
             params.bounce += 1;
         }
