@@ -1,7 +1,5 @@
 //! The path tracer against closed forms, to its own standard error.
 
-#![expect(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
-
 mod common;
 
 use std::f64::consts::PI;
