@@ -81,7 +81,7 @@ pub mod module {
         PATH_STATE = "path_state" for "path tracing";
         PATH_RANDOM = "path_random" for "path tracing";
         PATH_CAMERA = "path_camera" for "path tracing";
-        PATH_LIGHT = "path_light" for "path tracing";
+        PATH_LIGHT = "path_light" for "direct light";
         PATH_POINT = "path_point" for "point lights";
         PATH_AREA = "path_area" for "area lights";
         ROULETTE = "roulette" for "Russian roulette";
