@@ -10,8 +10,8 @@ fn main(
     let u = path_random(slot, paths[slot].stream, LIGHT_DIMENSIONS);
     let light = sample_area_light(points[slot], u, params.lights, params.offset);
     let is = id.x < params.paths && light.faces;
-    // The direction could have been drawn as well, if what it finds counts.
-    let met = select(0.0, light.geometry / PI, params.light_density > 0.0);
-    let weight = mis_weight(light.density, met) * light.geometry / light.density;
-    receive(slot, light.end, light.radiance * weight, is, invocation);
+    // The next segment could have met the place, with the density cos / pi of its direction.
+    let weight = mis_weight(light.density, light.geometry / PI);
+    let irradiance = light.radiance * (weight * light.geometry / light.density);
+    receive(slot, light.end, irradiance, is, invocation);
 }

@@ -1,15 +1,16 @@
 // Owen-scrambled Sobol points in two dimensions, a sequence a pixel.
 // Burley, "Practical Hash-based Owen Scrambling", JCGT 2020; the hash is Vegdahl's.
 
-// The 2D sequence is a (0, 2)-sequence: every aligned run of 2^k points is stratified.
+// The 2D sequence is a (0, 2)-sequence: every aligned run of 2^k points is stratified. The matrix
+// of its second dimension is Pascal's triangle modulo 2, a product of five sparse ones.
 fn sobol(index: u32) -> vec2u {
-    var y = 0u;
-    var column = 0x80000000u;
-    for (var i = index; i != 0u; i >>= 1u) {
-        if (i & 1u) != 0u { y ^= column; }
-        column ^= column >> 1u;
-    }
-    return vec2u(reverseBits(index), y);
+    var y = index;
+    y ^= (y & 0xaaaaaaaau) >> 1u;
+    y ^= (y & 0xccccccccu) >> 2u;
+    y ^= (y & 0xf0f0f0f0u) >> 4u;
+    y ^= (y & 0xff00ff00u) >> 8u;
+    y ^= (y & 0xffff0000u) >> 16u;
+    return reverseBits(vec2u(index, y));
 }
 
 fn hash(x: u32) -> u32 {
@@ -32,8 +33,9 @@ fn owen(x: u32, seed: u32) -> u32 {
 
 // Point `index` of the sequence that `seed` scrambles, in [0, 1)^2.
 fn scrambled(index: u32, seed: u32) -> vec2f {
-    // Shuffling the index decorrelates sequences used side by side.
-    let p = sobol(reverseBits(owen(reverseBits(index), hash(seed))));
+    // Shuffling the index, within the runs that are stratified, decorrelates sequences used side
+    // by side.
+    let p = sobol(owen(index, hash(seed)));
     let q = vec2u(owen(p.x, hash(seed ^ 0x9e3779b9u)), owen(p.y, hash(seed ^ 0x3c6ef372u)));
     return vec2f(q >> vec2u(8u)) * (1.0 / 16777216.0);
 }

@@ -30,6 +30,10 @@
 //!     and how long it took; [`metrics`] says how far it is from a reference; [`study`] renders
 //!     in many settings and compares.
 //!
+//! [`render::Method::Path`] goes another way, as a reference for this one: paths from the camera,
+//! in `src/render/path.rs`, share scene, hierarchy and random numbers with it, but no light
+//! transport.
+//!
 //! A kernel is an ordered list of the files in `shaders/`, chosen by what the scene and the
 //! settings need; the list is in one place, `src/render/kernels.rs`.
 //!

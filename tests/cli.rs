@@ -97,7 +97,7 @@ fn wrong_usage_is_code_2() {
         ("render", "--output"),
         ("render -o a.png --bogus", "see gpu-vpl render --help"),
         ("render -o a.png b c", "'c'"),
-        ("render -o a.png --method bogus", "vpl, vplc, vpc, both, direct"),
+        ("render -o a.png --method bogus", "vpl, vplc, vpc, both, path, direct"),
         ("render -o a.png --method path --direct clustered", "give --method vpc or both"),
         ("render -o a.png --method path --light-samples 4", "one shadow ray a vertex"),
         ("render -o a.png --aov standard-error", "needs --method path"),

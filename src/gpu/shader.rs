@@ -81,7 +81,7 @@ pub mod module {
         PATH_STATE = "path_state" for "path tracing";
         PATH_RANDOM = "path_random" for "path tracing";
         PATH_CAMERA = "path_camera" for "path tracing";
-        PATH_LIGHT = "path_light" for "path tracing";
+        PATH_LIGHT = "path_light" for "direct light";
         PATH_POINT = "path_point" for "point lights";
         PATH_AREA = "path_area" for "area lights";
         ROULETTE = "roulette" for "Russian roulette";
@@ -89,7 +89,7 @@ pub mod module {
         MIS = "mis" for "area lights";
         PATH_EMISSION = "path_emission" for "area lights";
         PATH_NO_EMISSION = "path_no_emission";
-        PATH_BOUNCE = "path_bounce" for "path tracing";
+        PATH_SEGMENT = "path_segment" for "path tracing";
         PATH_COUNT = "path_count" for "path tracing";
         PATH_COMPACT = "path_compact" for "path tracing";
         PATH_SUM = "path_sum" for "path tracing";

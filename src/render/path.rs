@@ -11,7 +11,7 @@ mod stages;
 use std::time::{Duration, Instant};
 
 use super::tile::blank;
-use super::{Bounces, Counts, Direct, Frame, Method, Phases, Prepared, Progress, Settings};
+use super::{Bounces, Counts, Direct, Frame, Phases, Prepared, Progress, Settings};
 use super::{film::BLOCK, visibility::dispatch_rays};
 use crate::gpu::{CameraParams, GpuError, PathParams, PathSum};
 use crate::sampling::{SURFACE_OFFSET, hash};
@@ -69,8 +69,17 @@ impl<'a> PathTracer<'a> {
         settings: &'a Settings,
         seed: u32,
     ) -> Result<Self, GpuError> {
-        debug_assert_eq!(settings.method, Method::Path);
         let wave = wave_size(dispatch_rays(prepared), all_blocks(camera), settings.samples);
+        Self::in_waves(prepared, camera, settings, seed, wave)
+    }
+
+    fn in_waves(
+        prepared: &'a Prepared,
+        camera: &'a Camera,
+        settings: &'a Settings,
+        seed: u32,
+        wave: [u32; 2],
+    ) -> Result<Self, GpuError> {
         let [samples, blocks] = wave;
         let pixels = (blocks * BLOCK) as usize;
         let stages = Stages::new(prepared, settings, pixels * samples as usize, pixels)?;
@@ -139,17 +148,20 @@ impl<'a> PathTracer<'a> {
         while params.paths > 0 {
             // The light of a vertex: from shadow rays, and from what the next segment happens upon.
             let is_lit = params.bounce > 0 || self.settings.direct != Direct::Off;
-            let last = self.settings.bounces == Bounces::Finite(params.bounce);
-            let density = self.prepared.lights.area_density();
-            params.light_density = if is_lit && !last { density } else { 0.0 };
+            params.light_density = if is_lit { self.prepared.lights.area_density() } else { 0.0 };
             if is_lit {
                 let time = self.shadow_rays(&params)?;
-                *(if params.bounce == 0 { &mut phases.direct } else { &mut phases.visibility }) +=
-                    time;
+                let first = params.bounce == 0;
+                *(if first { &mut phases.direct } else { &mut phases.visibility }) += time;
             }
-            let Some(bounce) = stages.bounce.as_ref().filter(|_| !last) else { break };
+            let last = self.settings.bounces == Bounces::Finite(params.bounce);
+            let goes_on = !last || params.light_density > 0.0;
+            let Some(segment) = stages.segment.as_ref().filter(|_| goes_on) else { break };
             let groups = [params.paths.div_ceil(64), 1];
-            phases.visibility += bounce.run(self.prepared, &params, groups)?;
+            phases.visibility += segment.run(self.prepared, &params, groups)?;
+            if last {
+                break;
+            }
             params.paths = self.survivors(&params, phases)?;
             params.bounce += 1;
         }
@@ -241,6 +253,31 @@ fn wave_size(rays: u32, all_blocks: u32, samples: u32) -> [u32; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gpu::{AdapterChoice, Gpu};
+    use crate::image::Image;
+    use crate::render::Method;
+    use crate::scene::Scene;
+
+    #[test]
+    fn the_size_of_waves_does_not_change_the_image() {
+        let scene = Scene::load("builtin:cornell").unwrap();
+        let camera = Camera { size: [40, 24], ..scene.camera };
+        let settings =
+            Settings { samples: 100, bounces: Bounces::Unlimited, ..Settings::of(Method::Path) };
+        let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
+        let prepared = Prepared::new(gpu, scene, &settings).unwrap();
+        let [whole, parts] = [[64, 15], [9, 4]].map(|wave| {
+            let tracer = PathTracer::in_waves(&prepared, &camera, &settings, 3, wave).unwrap();
+            tracer.render(&|_, _| {}).unwrap()
+        });
+        assert_eq!(whole.counts, parts.counts);
+        let alike = |one: &Image, other: &Image| {
+            let mut pairs = one.pixels.iter().flatten().zip(other.pixels.iter().flatten());
+            pairs.all(|(a, b)| (a - b).abs() <= 1e-5 * b)
+        };
+        assert!(alike(&whole.image, &parts.image));
+        assert!(alike(&whole.standard_error.unwrap(), &parts.standard_error.unwrap()));
+    }
 
     #[test]
     fn waves_are_large_but_not_too_large() {

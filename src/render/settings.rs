@@ -127,7 +127,7 @@ pub struct Settings {
     pub light_samples: Option<u32>,
     /// Bound on G.
     pub clamp: Clamp,
-    /// Samples (visible points) per pixel.
+    /// Samples (visible points) per pixel; paths, where there are paths.
     pub samples: u32,
     /// Camera rays over all samples of a pixel at whose place surfaces meet; each takes the light
     /// of the nearest visible point on its surface. 1 is none but the samples themselves.

@@ -2,9 +2,9 @@
 
 use super::{Prepared, emit, traverse};
 use crate::gpu::module::{
-    AREA_LIGHT, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA, PATH_BOUNCE,
-    PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT,
-    PATH_RANDOM, PATH_STATE, PATH_SUM, PIXELS, POINT_LIGHT, RAY, ROULETTE, SAMPLING, TYPES,
+    AREA_LIGHT, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA,
+    PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM,
+    PATH_SEGMENT, PATH_STATE, PATH_SUM, PIXELS, POINT_LIGHT, RAY, ROULETTE, SAMPLING, TYPES,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, Settings};
@@ -33,16 +33,16 @@ pub fn area(subgroups: bool) -> Program {
     Program { label: "paths, area lights", modules: vertex(subgroups, &last) }
 }
 
-/// The way on from a vertex to the next, where area lights may be met.
-pub fn bounce(subgroups: bool, bounces: Bounces, areas: bool) -> Program {
+/// The next segment of paths, in a scene with or without area lights.
+pub fn segment(subgroups: bool, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = vec![&HIT_POINT, survival];
     match areas {
         true => last.extend([&MIS, &PATH_EMISSION]),
         false => last.push(&PATH_NO_EMISSION),
     }
-    last.push(&PATH_BOUNCE);
-    Program { label: "paths, bounce", modules: vertex(subgroups, &last) }
+    last.push(&PATH_SEGMENT);
+    Program { label: "paths, segment", modules: vertex(subgroups, &last) }
 }
 
 /// How many paths go on.
@@ -65,6 +65,11 @@ pub fn seeks_light(settings: &Settings) -> bool {
     settings.direct != Direct::Off || settings.bounces != Bounces::Finite(0)
 }
 
+/// Whether paths go beyond the visible point: to bounce, or to happen upon area lights.
+pub fn has_segments(settings: &Settings, areas: bool) -> bool {
+    settings.bounces != Bounces::Finite(0) || (areas && settings.direct != Direct::Off)
+}
+
 /// What a scene and settings need.
 pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     let subgroups = prepared.gpu.has_subgroups();
@@ -74,8 +79,8 @@ pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     programs.extend(areas.then(emit));
     programs.extend((lit && areas).then(|| area(subgroups)));
     programs.extend((lit && points).then(|| point(subgroups)));
-    let bounces = settings.bounces != Bounces::Finite(0);
-    programs.extend(bounces.then(|| bounce(subgroups, settings.bounces, areas)));
+    let segments = has_segments(settings, areas);
+    programs.extend(segments.then(|| segment(subgroups, settings.bounces, areas)));
     programs
 }
 
@@ -86,7 +91,7 @@ pub(super) fn all() -> Vec<Program> {
         programs.extend([camera(subgroups), point(subgroups), area(subgroups)]);
         for areas in [false, true] {
             let kinds = [Bounces::Finite(1), Bounces::Unlimited];
-            programs.extend(kinds.map(|bounces| bounce(subgroups, bounces, areas)));
+            programs.extend(kinds.map(|bounces| segment(subgroups, bounces, areas)));
         }
     }
     programs

@@ -3,7 +3,7 @@
 use crate::gpu::{CameraParams, GpuError, PathParams, PathRecord, PathSum, PointRecord, Program};
 use crate::render::kernels::{self, path as programs};
 use crate::render::stages::{Named, Stage};
-use crate::render::{Bounces, Prepared, Settings};
+use crate::render::{Prepared, Settings};
 
 /// Paths of a run of the queue that counts its survivors.
 pub const RUN: u32 = 64;
@@ -30,8 +30,8 @@ pub struct Stages {
     pub emit: Option<Stage>,
     /// Shadow rays to one of so many lights: area lights, point lights.
     pub lights: Vec<(Stage, u32)>,
-    /// The next segment; none if there are no bounces.
-    pub bounce: Option<Stage>,
+    /// The next segment, for the next vertex or for the light that it happens upon.
+    pub segment: Option<Stage>,
     /// Which paths go on.
     pub count: Stage,
     /// The queue of those.
@@ -96,13 +96,13 @@ impl Stages {
         }
         let areas = prepared.area_lights.is_some();
         let emit = prepared.area_lights.as_ref().map(|_| bind(kernels::emit())).transpose()?;
-        let bounces = settings.bounces != Bounces::Finite(0);
-        let bounce = bounces.then(|| bind(programs::bounce(subgroups, settings.bounces, areas)));
+        let segment = programs::has_segments(settings, areas)
+            .then(|| bind(programs::segment(subgroups, settings.bounces, areas)));
         Ok(Self {
             camera: bind(programs::camera(subgroups))?,
             emit,
             lights,
-            bounce: bounce.transpose()?,
+            segment: segment.transpose()?,
             count: bind(programs::count())?,
             compact: bind(programs::compact())?,
             sum: bind(programs::sum())?,
