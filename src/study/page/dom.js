@@ -42,9 +42,14 @@ function tint(style) {
   return `--light:${style.light};--dark:${style.dark}`;
 }
 
+/// Words that break within only where a line is too short for one.
+function words(text) {
+  return text.split(" ").flatMap((word) => [make("span", { class: "word" }, word), " "]).slice(0, -1);
+}
+
 /// A command with a button that copies it.
 function command(text) {
-  const code = make("code", { title: text }, text);
+  const code = make("code", { title: text }, words(text));
   const button = make("button", { class: "copy", type: "button", "aria-label": `Copy: ${text}`, onclick: copy }, "copy");
   async function copy(event) {
     event.stopPropagation();

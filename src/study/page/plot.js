@@ -21,6 +21,8 @@ function chart(width) {
 
 function showPlot() {
   const holder = byId("plot");
+  // Not laid out, as in a tab that closes: there is nothing to draw on.
+  if (!holder.clientWidth) return;
   const what = RESULTS.scenes.length ? chart(holder.clientWidth) : { all: [] };
   for (const old of holder.querySelectorAll("svg, .empty")) old.remove();
   hideTip();
@@ -122,7 +124,8 @@ function curveGroup(what, curve) {
   points.sort((a, b) => a.seconds.mean - b.seconds.mean);
   const place = ({ seconds, error }) => [at(what.x, seconds.mean), at(what.y, error.mean)];
   const fit = fitOf(curve, state.metric, state.against);
-  if (points.length > 1) group.append(polyline(points.map(place), { class: "link" }));
+  const above = points.filter(({ error }) => !isBelow(what.y, error.mean));
+  if (above.length > 1) group.append(polyline(above.map(place), { class: "link" }));
   if (fit) group.append(polyline(fit.line.map(([x, y]) => [at(what.x, x), at(what.y, y)]), { class: "fit" }));
   for (const point of points) group.append(errorBars(what, point, place(point)));
   for (const point of points) group.append(pointMark(what, point, place(point), style));

@@ -113,13 +113,12 @@ function tipContent({ row, seconds, error }) {
   ];
   const list = make("dl", {}, facts.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));
   const method = make("span", { class: "quiet" }, `${row.experiment} · ${row.method}`);
-  return [make("strong", {}, row.setting), method, list, make("code", {}, row.command)];
+  return [make("strong", {}, row.setting), method, list, make("code", {}, words(row.command))];
 }
 
-/// Beside the point, on the side where there is room, within the plot.
+/// Beside the point, on the side where there is room; below it where there is none.
 function placeTip(tip, { x, y }) {
-  const holder = byId("plot");
-  const right = x + 18 + tip.offsetWidth <= holder.clientWidth;
+  const right = x + 18 + tip.offsetWidth <= byId("plot-section").clientWidth;
   const left = right ? x + 18 : Math.max(0, x - 18 - tip.offsetWidth);
   const covers = !right && left + tip.offsetWidth > x - 10;
   const top = covers ? y + 20 : Math.max(0, y - tip.offsetHeight / 2);

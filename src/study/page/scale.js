@@ -33,7 +33,7 @@ function ticks(axis) {
     for (let digit = 1; digit < 10; digit += 1) {
       const place = decade + Math.log10(digit);
       if (place < low || place > high) continue;
-      const fine = high - low <= 2 && (digit === 1 || digit === 2 || digit === 5);
+      const fine = high - low <= 2.5 && (digit === 1 || digit === 2 || digit === 5);
       const labelled = fine || (digit === 1 && decade % every === 0);
       const value = Number(`${digit}e${decade}`);
       all.push({ value, label: labelled ? tickLabel(digit, decade) : null });

@@ -20,9 +20,10 @@ function buildViewer() {
   const canvas = make("canvas", { id: "view", tabindex: 0, role: "img" });
   const handle = splitHandle((part) => showSplit(part));
   const stage = make("div", { id: "stage" }, canvas, handle, make("div", { class: "caption left", id: "caption-a" }), make("div", { class: "caption right", id: "caption-b" }), make("div", { id: "says", role: "status", hidden: true }));
-  byId("viewer").replaceChildren(toolBar(), stage, scaleBar(), probeTable());
+  const side = make("div", { id: "side" }, toolBar(), scaleBar(), probeTable());
+  byId("viewer").replaceChildren(make("div", { id: "stage-holder" }, stage), side);
   followHands(canvas, { picture: () => viewer.shown?.pictures[0], moved: drawStage, pointed: showProbe });
-  new ResizeObserver(() => resizeStage()).observe(byId("viewer"));
+  new ResizeObserver(() => resizeStage()).observe(byId("stage-holder"));
 }
 
 function chooser(which) {
@@ -58,7 +59,6 @@ function toolBar() {
     { class: "tools" },
     chooser("a"),
     chooser("b"),
-    button("A ⇄ B", "Exchange A and B", () => choosePictures({ a: viewer.b, b: viewer.a })),
     make("fieldset", { class: "switch", id: "mode" }, make("legend", {}, "show"), MODES.map(radio)),
     make("label", { class: "field only-difference" }, "of", kind),
     make("label", { class: "field only-difference" }, "scale ", make("output", { id: "scale-value" }), scale),
@@ -70,6 +70,7 @@ function toolBar() {
       button("+", "Zoom in", onPicture((picture) => zoomTo(picture, place.scale * 1.5, middle()))),
       button("1:1", "One pixel a pixel", onPicture((picture) => zoomTo(picture, 1, middle()))),
       button("fit", "Show all", onPicture(fit)),
+      button("A ⇄ B", "Exchange A and B", () => choosePictures({ a: viewer.b, b: viewer.a })),
     ),
   );
 }
@@ -203,7 +204,7 @@ function resizeStage() {
   const picture = viewer.shown?.pictures[0];
   const stage = byId("stage");
   const ratio = picture ? picture.height / picture.width : 0.75;
-  const room = byId("viewer").clientWidth;
+  const room = byId("stage-holder").clientWidth;
   const height = Math.round(Math.min(room * ratio, Math.max(0.78 * innerHeight, 240)));
   stage.style.height = `${height}px`;
   stage.style.width = `${Math.min(room, Math.round(height / ratio))}px`;
