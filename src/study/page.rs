@@ -156,7 +156,9 @@ mod tests {
     #[test]
     fn nothing_comes_from_elsewhere() {
         let page = page("x");
-        assert!(page.contains("content=\"default-src 'none'; style-src 'unsafe-inline'; "));
+        let policy = "default-src 'none'; style-src 'unsafe-inline'; \
+                      script-src 'unsafe-inline'; img-src data: blob:";
+        assert!(page.contains(&format!("\"Content-Security-Policy\" content=\"{policy}\"")));
         let links = page.matches("http").count();
         assert_eq!(links, page.matches("http-equiv").count() + page.matches(NAMESPACE).count());
     }

@@ -43,8 +43,8 @@ pub fn installed() -> Option<String> {
 }
 
 impl Browser {
-    /// Starts it, with an empty page of this size.
-    pub fn start(program: &str, size: [u32; 2]) -> Self {
+    /// Starts it, with an empty page.
+    pub fn start(program: &str) -> Self {
         let profile = tempfile::tempdir().expect("a directory for the profile");
         let mut child = spawn(program, profile.path());
         let input = child.stdin.take().expect("a pipe to the browser");
@@ -66,7 +66,6 @@ impl Browser {
         for domain in ["Page", "Runtime", "Log", "Network"] {
             browser.call(&format!("{domain}.enable"), json!({}));
         }
-        browser.resize(size);
         browser
     }
 
@@ -74,6 +73,11 @@ impl Browser {
     pub fn resize(&mut self, [width, height]: [u32; 2]) {
         let metrics = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600});
         self.call("Emulation.setDeviceMetricsOverride", metrics);
+    }
+
+    /// Whether it has fingers.
+    pub fn touch(&mut self, enabled: bool) {
+        self.call("Emulation.setTouchEmulationEnabled", json!({"enabled": enabled}));
     }
 
     /// Opens a file and waits until it is loaded and its scripts have run.
@@ -129,7 +133,7 @@ impl Browser {
 
     /// Moves the pointer.
     pub fn point(&mut self, place: [f64; 2]) {
-        self.mouse("mouseMoved", place);
+        self.mouse("mouseMoved", place, false);
     }
 
     /// Clicks with the left button.
@@ -140,18 +144,17 @@ impl Browser {
     /// Drags with the left button.
     pub fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
         self.point(from);
-        self.mouse("mousePressed", from);
+        self.mouse("mousePressed", from, true);
         if from != to {
-            self.mouse("mouseMoved", to);
+            self.mouse("mouseMoved", to, true);
         }
-        self.mouse("mouseReleased", to);
+        self.mouse("mouseReleased", to, true);
     }
 
-    fn mouse(&mut self, kind: &str, [x, y]: [f64; 2]) {
-        let held = kind == "mousePressed" || kind == "mouseReleased";
-        let button = if held { "left" } else { "none" };
-        let event =
-            json!({"type": kind, "x": x, "y": y, "button": button, "clickCount": u8::from(held)});
+    fn mouse(&mut self, kind: &str, [x, y]: [f64; 2], held: bool) {
+        let (button, buttons) = if held { ("left", 1) } else { ("none", 0) };
+        let event = json!({"type": kind, "x": x, "y": y, "button": button, "buttons": buttons,
+                           "clickCount": u8::from(kind != "mouseMoved")});
         self.call("Input.dispatchMouseEvent", event);
     }
 
