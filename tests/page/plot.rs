@@ -1,5 +1,7 @@
 //! The plot of the page.
 
+use gpu_vpl::study::plot;
+use gpu_vpl::study::results::{Against, Metric};
 use serde_json::json;
 
 use crate::browser::Browser;
@@ -23,6 +25,7 @@ fn the_plot_shows_errors_over_seconds() {
             pointing_at_a_mark_names_it,
             keys_go_from_mark_to_mark,
             a_chosen_point_is_chosen_everywhere,
+            its_axes_are_those_of_the_static_plot,
             the_legend_switches_curves
         ],
     );
@@ -86,6 +89,7 @@ fn another_metric_or_scene_moves_the_points(browser: &mut Browser) {
     browser.set("#metric", "bias");
     assert_eq!(browser.text(TITLE), "|bias| against the reference");
     let bias = mark(browser, 3);
+    assert_eq!(count(browser, ".point.hollow"), 1, "a bias below 0 is drawn by its size");
     assert!((relmse[0] - bias[0]).abs() < 0.01 && (relmse[1] - bias[1]).abs() > 1.0);
     browser.set("#scene", "1");
     let labels =
@@ -97,9 +101,10 @@ fn another_metric_or_scene_moves_the_points(browser: &mut Browser) {
 fn pointing_at_a_mark_names_it(browser: &mut Browser) {
     let place = browser.middle(".point[data-row='7'] .mark");
     browser.point(place.map(|coordinate| coordinate + 6.0));
+    assert_eq!(browser.value(NO_TIP), json!(false));
     let tip = browser.text(TIP);
     let parts =
-        ["B at 1.2", "1.20 ± 0.04", "0.0167 ± 0.0033", "--vpls 4800", "4\u{202f}800\u{202f}000"];
+        ["B at 1.2", "1.20 ± 0.04", "0.0175 ± 0.0035", "--vpls 4800", "4\u{202f}800\u{202f}000"];
     assert!(parts.iter().all(|part| tip.contains(part)), "{tip}");
     browser.point([5.0, 5.0]);
     assert_eq!(browser.value(NO_TIP), json!(true));
@@ -141,6 +146,29 @@ fn the_legend_switches_curves(browser: &mut Browser) {
     let place = browser.middle("[data-curve=B]");
     browser.click(place);
     assert_eq!(browser.number(POINTS) as usize, ROWS - UNJUDGED);
+}
+
+/// Both know the same rules of axes; this is what keeps them the same.
+fn its_axes_are_those_of_the_static_plot(browser: &mut Browser) {
+    let (results, _) = sample::study();
+    for (metric, id) in [(Metric::Relmse, "relmse"), (Metric::Flip, "flip")] {
+        browser.set("#metric", id);
+        let still = plot::svg(&results.scenes[0], metric, Against::Total).expect("a plot");
+        let labels = browser
+            .value("[...document.querySelectorAll('.tick')].map((label) => label.textContent)");
+        let labels = labels.as_array().expect("labels");
+        let numbers = still
+            .split("fill=\"#444\">")
+            .filter(|text| text.starts_with(|c: char| c.is_ascii_digit()));
+        assert_eq!(numbers.count(), labels.len(), "{labels:?}");
+        for label in labels {
+            let label = label.as_str().expect("a text");
+            assert!(still.contains(&format!(">{label}</text>")), "{label}");
+        }
+        let lines = "document.querySelectorAll('#plot .grid').length";
+        let grid = still.matches("#ddd\"/>").count() + still.matches("#f1f1f1\"/>").count();
+        assert_eq!(browser.number(lines) as usize, grid);
+    }
 }
 
 #[test]

@@ -152,7 +152,7 @@ fn hostile() -> SceneResults {
         .collect();
     rows.extend((0..6).map(|step| {
         let t = 0.3 * f64::from(1 << step);
-        row("B", &format!("B at {t}"), t, Some(0.02 / t))
+        row("B", &format!("B at {t}"), t, Some(0.021 / t))
     }));
     rows.push(row("C", "perfect", 12.0, Some(0.0)));
     rows.push(row("C", "unjudged", 1.0, None));
@@ -163,7 +163,7 @@ fn hostile() -> SceneResults {
     let fits = vec![fit(-1.0, Some(1e-3), |t| 0.01 / t + 1e-3)];
     let curves = vec![
         curve("A", "`both`: light paths", fits),
-        curve("B", "`vpl`: light paths", vec![fit(-1.0, None, |t| 0.02 / t)]),
+        curve("B", "`vpl`: light paths", vec![fit(-1.0, None, |t| 0.021 / t)]),
         curve("C", "<i>odd</i> ones", vec![]),
     ];
     scene(HOSTILE, curves, rows)

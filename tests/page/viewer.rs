@@ -110,6 +110,12 @@ fn the_difference_is_one(browser: &mut Browser) {
     assert_eq!(browser.text("document.querySelector('#scale-low').textContent"), "−0.5");
     let [r, _, b] = colour(browser, QUARTERS[0]);
     assert!(r > b, "A is brighter: red");
+    browser.value("document.querySelector('[title=\"Exchange A and B\"]').click()");
+    browser.until("document.querySelector('#picture-a').value === '1'");
+    unpacked(browser);
+    let [r, _, b] = colour(browser, QUARTERS[0]);
+    assert!(r < b, "A is darker: blue");
+    browser.set("#picture-a", "0");
     browser.set("#picture-b", "0");
     browser.until("document.querySelector('#caption-a').textContent === 'A − B'");
     browser.until("document.querySelector('#says').hidden");

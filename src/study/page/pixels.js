@@ -31,7 +31,9 @@ async function decode(index) {
 
 /// Undoes the differences of neighbours and of channels.
 function unfiltered(bytes, width, size) {
-  const [green, red, blue] = [0, 1, 2].map((channel) => plane(bytes.subarray(2 * channel * size), width, size));
+  const [green, red, blue] = [0, 1, 2].map((channel) =>
+    plane(bytes.subarray(2 * channel * size), width, size),
+  );
   const codes = new Uint16Array(3 * size);
   for (let pixel = 0; pixel < size; pixel += 1) {
     codes[3 * pixel] = red[pixel] + green[pixel];

@@ -14,7 +14,11 @@ function chart(width) {
   const least = Math.min(...errors.filter((error) => error > 0));
   const noises = noisesOf(scene, state.metric, state.against);
   const near = noises.map(({ noise }) => noise).filter((noise) => noise > least / 10);
-  const x = logAxis(all.flatMap(({ seconds }) => extent(seconds)), box.left, box.right);
+  const x = logAxis(
+    all.flatMap(({ seconds }) => extent(seconds)),
+    box.left,
+    box.right,
+  );
   const y = logAxis([...errors, ...near], box.bottom, box.top);
   return { scene, all, points, width, height, box, x, y, noises };
 }
@@ -51,7 +55,13 @@ function errorTitle() {
 
 function hatchPattern() {
   const stroke = draw("path", { d: "M0 0V7", class: "hatch" });
-  const pattern = { id: "hatch", width: 7, height: 7, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" };
+  const pattern = {
+    id: "hatch",
+    width: 7,
+    height: 7,
+    patternUnits: "userSpaceOnUse",
+    patternTransform: "rotate(45)",
+  };
   return draw("defs", {}, draw("pattern", pattern, stroke));
 }
 
@@ -68,17 +78,21 @@ function gridLines({ box, x, y, width, height }) {
   for (const tick of ticks(x)) {
     const place = at(x, tick.value);
     group.append(segment(place, box.top, place, box.bottom, { class: tick.label ? "grid major" : "grid" }));
-    if (tick.label) group.append(label(place, box.bottom + 18, tick.label, { "text-anchor": "middle" }));
+    if (tick.label)
+      group.append(label(place, box.bottom + 18, tick.label, { class: "tick", "text-anchor": "middle" }));
   }
   for (const tick of ticks(y)) {
     const place = at(y, tick.value);
     group.append(segment(box.left, place, box.right, place, { class: tick.label ? "grid major" : "grid" }));
-    if (tick.label) group.append(label(box.left - 8, place + 4, tick.label, { "text-anchor": "end" }));
+    if (tick.label)
+      group.append(label(box.left - 8, place + 4, tick.label, { class: "tick", "text-anchor": "end" }));
   }
   group.append(draw("path", { class: "frame", d: `M${box.left} ${box.top}V${box.bottom}H${box.right}` }));
   group.append(label(0, 16, errorTitle(), { class: "title", id: "y-title" }));
   const middle = (box.left + box.right) / 2;
-  group.append(label(middle, height - 8, "seconds of a warm frame", { class: "title", "text-anchor": "middle" }));
+  group.append(
+    label(middle, height - 8, "seconds of a warm frame", { class: "title", "text-anchor": "middle" }),
+  );
   return group;
 }
 
@@ -126,7 +140,13 @@ function curveGroup(what, curve) {
   const fit = fitOf(curve, state.metric, state.against);
   const above = points.filter(({ error }) => !isBelow(what.y, error.mean));
   if (above.length > 1) group.append(polyline(above.map(place), { class: "link" }));
-  if (fit) group.append(polyline(fit.line.map(([x, y]) => [at(what.x, x), at(what.y, y)]), { class: "fit" }));
+  if (fit)
+    group.append(
+      polyline(
+        fit.line.map(([x, y]) => [at(what.x, x), at(what.y, y)]),
+        { class: "fit" },
+      ),
+    );
   for (const point of points) group.append(errorBars(what, point, place(point)));
   for (const point of points) group.append(pointMark(what, point, place(point), style));
   return group;
