@@ -99,7 +99,7 @@ fn noises(
 impl Chart<'_> {
     fn draw(&self, points: &[Point]) -> String {
         let curves = &self.results.experiments;
-        let mut svg = Svg::default();
+        let mut svg = Svg::new([LEFT, TOP], [RIGHT, BOTTOM]);
         self.title(&mut svg);
         self.grid(&mut svg);
         self.noise(&mut svg);
@@ -195,8 +195,11 @@ impl Chart<'_> {
         svg.open(&format!("stroke=\"{colour}\" fill=\"{colour}\""));
         if let Some(fit) = self.fit(curve) {
             let line: Vec<_> =
-                fit.line.iter().map(|&[x, y]| [self.x.at(x), self.y.at(y)]).collect();
-            svg.path(&line, "stroke-dasharray=\"5 4\" stroke-width=\"1.25\"");
+                fit.line.iter().map(|&[x, y]| [self.x.beyond(x), self.y.beyond(y)]).collect();
+            svg.path(
+                &line,
+                "stroke-dasharray=\"5 4\" stroke-width=\"1.25\" clip-path=\"url(#inside)\"",
+            );
         }
         let above = points.iter().filter(|point| self.y.range[0] <= point.error.mean);
         let mut line: Vec<_> = above.map(|point| self.place(point)).collect();

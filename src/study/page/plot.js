@@ -41,7 +41,7 @@ function showPlot() {
     role: "group",
     "aria-label": `${errorTitle()} over seconds of a warm frame; arrow keys go from point to point, Enter chooses one`,
   });
-  svg.append(hatchPattern(), gridLines(what), noiseBands(what), front(what));
+  svg.append(definitions(what), gridLines(what), noiseBands(what), front(what));
   for (const curve of what.scene.experiments) svg.append(curveGroup(what, curve));
   followPointer(svg, what);
   holder.prepend(svg);
@@ -53,7 +53,7 @@ function errorTitle() {
   return `${metricName(state.metric)} ${against}`;
 }
 
-function hatchPattern() {
+function definitions({ box }) {
   const stroke = draw("path", { d: "M0 0V7", class: "hatch" });
   const pattern = {
     id: "hatch",
@@ -62,7 +62,9 @@ function hatchPattern() {
     patternUnits: "userSpaceOnUse",
     patternTransform: "rotate(45)",
   };
-  return draw("defs", {}, draw("pattern", pattern, stroke));
+  const size = { width: box.right - box.left, height: box.bottom - box.top };
+  const inside = draw("clipPath", { id: "inside" }, draw("rect", { x: box.left, y: box.top, ...size }));
+  return draw("defs", {}, draw("pattern", pattern, stroke), inside);
 }
 
 function segment(x1, y1, x2, y2, attributes) {
@@ -140,16 +142,15 @@ function curveGroup(what, curve) {
   const fit = fitOf(curve, state.metric, state.against);
   const above = points.filter(({ error }) => !isBelow(what.y, error.mean));
   if (above.length > 1) group.append(polyline(above.map(place), { class: "link" }));
-  if (fit)
-    group.append(
-      polyline(
-        fit.line.map(([x, y]) => [at(what.x, x), at(what.y, y)]),
-        { class: "fit" },
-      ),
-    );
+  if (fit) group.append(fitLine(what, fit));
   for (const point of points) group.append(errorBars(what, point, place(point)));
   for (const point of points) group.append(pointMark(what, point, place(point), style));
   return group;
+}
+
+function fitLine({ x, y }, { line }) {
+  const points = line.map(([seconds, error]) => [beyond(x, seconds), beyond(y, error)]);
+  return polyline(points, { class: "fit", "clip-path": "url(#inside)" });
 }
 
 function errorBars({ x, y }, { seconds, error }, [left, top]) {

@@ -15,8 +15,13 @@ function logAxis(values, from, to) {
 
 /// Where a value lies; at the nearer end where it lies outside, zero included.
 function at(axis, value) {
+  return Math.min(Math.max(beyond(axis, value), Math.min(axis.from, axis.to)), Math.max(axis.from, axis.to));
+}
+
+/// Where a value lies, be it outside: for lines that are clipped.
+function beyond(axis, value) {
   const part = (Math.log(Math.max(value, 1e-300)) - axis.low) / (axis.high - axis.low);
-  return axis.from + Math.min(Math.max(part, 0), 1) * (axis.to - axis.from);
+  return axis.from + part * (axis.to - axis.from);
 }
 
 /// Whether a value lies below the axis.

@@ -210,23 +210,20 @@ function showProbe(point = viewer.pointed) {
   const { shown } = viewer;
   const pixel = point && shown ? pixelAt(shown.pictures[0], point) : null;
   byId("probe-place").textContent = pixel ? `${pixel[0]}, ${pixel[1]}` : "pixel";
-  const values =
-    pixel && shown.alike ? shown.codes.map((codes) => valuesAt(codes, shown.pictures[0].width, pixel)) : null;
-  showValues("a", values?.[0]);
-  showValues("b", values?.[1]);
-  showValues(
-    "difference",
-    values?.[0].map((value, channel) => value - values[1][channel]),
-    signed,
-  );
+  const [a, b] =
+    pixel && shown.alike ? shown.codes.map((codes) => codesAt(codes, shown.pictures[0].width, pixel)) : [];
+  showValues("a", (channel) => number(VALUES[a[channel]]), a);
+  showValues("b", (channel) => number(VALUES[b[channel]]), b);
+  showValues("difference", (channel) => signed(difference(a[channel], b[channel])), a);
 }
 
-function valuesAt(codes, width, [column, row]) {
+function codesAt(codes, width, [column, row]) {
   const first = 3 * (row * width + column);
-  return [0, 1, 2].map((channel) => VALUES[codes[first + channel]]);
+  return codes.subarray(first, first + 3);
 }
 
-function showValues(id, values, show = number) {
+/// Fills a line of the table, where there is something to show.
+function showValues(id, textOf, known) {
   const cells = byId(`probe-${id}`).querySelectorAll("td");
-  cells.forEach((cell, channel) => (cell.textContent = values ? show(values[channel], 3) : NOTHING));
+  cells.forEach((cell, channel) => (cell.textContent = known ? textOf(channel) : NOTHING));
 }

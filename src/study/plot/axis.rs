@@ -40,8 +40,14 @@ impl Axis {
 
     /// Where a value is drawn; at the nearer end where it lies outside, zero included.
     pub fn at(&self, value: f64) -> f64 {
+        let [from, to] = self.ends;
+        self.beyond(value).clamp(from.min(to), from.max(to))
+    }
+
+    /// Where a value is drawn, be it outside: for lines that are clipped.
+    pub fn beyond(&self, value: f64) -> f64 {
         let [low, high] = self.range.map(f64::ln);
-        let part = ((value.max(f64::MIN_POSITIVE).ln() - low) / (high - low)).clamp(0.0, 1.0);
+        let part = (value.max(f64::MIN_POSITIVE).ln() - low) / (high - low);
         self.ends[0] + part * (self.ends[1] - self.ends[0])
     }
 
