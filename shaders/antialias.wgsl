@@ -44,7 +44,7 @@ fn main(
         let index = ray * params.samples + params.sample;
         let direction = camera_direction(pixel, stratified(index, 1.0 / f32(all), stream));
         let hit = traverse(params.position, direction, limit, params.nodes, false, invocation);
-        let seen = camera_point(hit, direction);
+        let seen = hit_point(hit, direction);
         // The nearest on the same surface; if there is none, the nearest of all.
         var best = own;
         var least = HUGE;

@@ -32,17 +32,3 @@ fn camera_direction(pixel: vec2u, inside: vec2f) -> vec3f {
 fn camera_stream(pixel: vec2u) -> u32 {
     return hash(hash(pixel.x + pixel.y * params.width) + params.seed);
 }
-
-// What a camera ray has hit.
-fn camera_point(hit: Hit, direction: vec3f) -> Point {
-    if hit.triangle == NOTHING { return Point(vec3f(0.0), NOTHING, vec3f(0.0), 0.0); }
-    let corners = load_triangle(hit.triangle);
-    let normal = normalize(cross(corners.b - corners.a, corners.c - corners.a));
-    let front = dot(normal, direction) < 0.0;
-    return Point(
-        corners.a * hit.weights.x + corners.b * hit.weights.y + corners.c * hit.weights.z,
-        corners.material | select(0u, FRONT, front),
-        select(-normal, normal, front),
-        hit.t,
-    );
-}

@@ -1,14 +1,5 @@
 // Irradiance from the point lights, each by one exact shadow ray.
 
-struct PointLight {
-    position: vec3f,
-    pad0: f32,
-    intensity: vec3f,
-    pad1: f32,
-}
-
-@group(0) @binding(9) var<storage, read> lights: array<PointLight>;
-
 // No invocation returns early: a subgroup may trace its rays together.
 @compute @workgroup_size(64)
 fn main(

@@ -79,6 +79,9 @@ pub enum Error {
     /// The result cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// The user asked to stop.
+    #[error("{0}")]
+    Interrupted(String),
     /// `--strict` and the image is not what was asked for.
     #[error("{0}")]
     Strict(String),
@@ -89,7 +92,7 @@ pub enum Error {
 
 impl Error {
     /// The process's exit code: 1 failed while running, 2 usage or an unreadable scene or
-    /// image, 3 no usable adapter, 4 over a limit.
+    /// image, 3 no usable adapter, 4 over a limit, 130 interrupted.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Usage(_)
@@ -99,6 +102,7 @@ impl Error {
             Self::Gpu(error) if error.is_missing_adapter() => 3,
             Self::Gpu(_) | Self::Output(_) | Self::Strict(_) => 1,
             Self::OverLimit(_) => 4,
+            Self::Interrupted(_) => 130,
         }
     }
 }

@@ -18,8 +18,8 @@ pub use error::GpuError;
 pub use kernel::Kernel;
 pub use layout::{
     AreaLightRecord, CameraParams, DirectParams, ExpandParams, InterleaveParams, MaterialRecord,
-    NodeRecord, PointLightRecord, PointRecord, ShadeParams, TriangleRecord, VisibilityParams,
-    VplRecord,
+    NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams,
+    TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};
@@ -40,6 +40,8 @@ pub struct Gpu {
     /// Where the adapter has timestamps.
     timer: Option<timer::Timer>,
     lost: Arc<AtomicBool>,
+    /// Set from outside to stop at the next submission.
+    interrupt: Arc<AtomicBool>,
     /// Errors that no scope caught (wgpu's default is to panic).
     uncaptured: Arc<Mutex<Option<wgpu::Error>>>,
 }
@@ -77,7 +79,14 @@ impl Gpu {
             && device.adapter_info().subgroup_min_size >= 8;
         let stamps = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
         let timer = stamps.then(|| timer::Timer::new(&device));
-        Ok(Self { info, device, queue, subgroups, timer, lost, uncaptured })
+        let interrupt = Arc::default();
+        Ok(Self { info, device, queue, subgroups, timer, lost, interrupt, uncaptured })
+    }
+
+    /// The same device, which refuses to run anything once the flag is set.
+    pub fn interrupted_by(mut self, flag: Arc<AtomicBool>) -> Self {
+        self.interrupt = flag;
+        self
     }
 
     /// The limits of the device, which are those of the adapter.

@@ -8,6 +8,7 @@ pub mod kernels;
 mod light;
 mod light_set;
 mod merge;
+mod path;
 mod picture;
 mod settings;
 mod stages;
@@ -17,6 +18,8 @@ mod visible;
 mod vpl;
 
 use std::time::{Duration, Instant};
+
+use serde::{Deserialize, Serialize};
 
 use crate::bvh::Bvh;
 use crate::gpu::{Gpu, GpuError, MaterialRecord, PassTime};
@@ -31,6 +34,7 @@ pub use vpl::{LightPaths, Vpl};
 use gathers::{Clustered, Gathers};
 use light_set::LightSet;
 pub use merge::{VirtualLight, VplClusters};
+use path::PathTracer;
 use tile::TileRenderer;
 
 /// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels
@@ -125,9 +129,11 @@ pub struct Phases {
     pub cluster_points: Duration,
     /// K-means of the VPLs.
     pub cluster_vpls: Duration,
-    /// Shadow rays between visible points and VPLs.
+    /// Shadow rays between visible points and VPLs; of [`Method::Path`], all rays but those of
+    /// the camera and the shadow rays of visible points.
     pub visibility: Duration,
-    /// Shading every point by every VPL, and resolving points to pixels.
+    /// Shading every point by every VPL, and resolving points to pixels; of [`Method::Path`],
+    /// all that traces no rays.
     pub shading: Duration,
     /// Copies from the device.
     pub readback: Duration,
@@ -146,7 +152,7 @@ impl Phases {
 }
 
 /// What a frame counted.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Counts {
     /// Visible points that hit a surface.
     pub visible_points: u64,
@@ -157,7 +163,7 @@ pub struct Counts {
     /// Clusters of visible points, where the method makes them.
     pub point_clusters: Option<u64>,
     /// Segments traced between visible points and VPLs: pairs whose cosines are both
-    /// positive.
+    /// positive. Of [`Method::Path`], between vertices and lights.
     pub shadow_rays: u64,
     /// Pairs of visible point and VPL.
     pub shading_terms: u64,
@@ -174,6 +180,10 @@ pub struct Counts {
 pub struct Frame {
     /// Linear radiance, or the data that the method shows.
     pub image: Image,
+    /// Of [`Method::Path`] with two samples or more: the standard error of each pixel's mean, from
+    /// the variance of its samples as if they were independent. They are stratified, so that the
+    /// true error tends to be smaller.
+    pub standard_error: Option<Image>,
     /// What was counted.
     pub counts: Counts,
     /// How long each phase took, by the wall clock.
@@ -196,6 +206,9 @@ pub fn frame(
     seed: u32,
     progress: Progress<'_>,
 ) -> Result<Frame, GpuError> {
+    if settings.method == Method::Path {
+        return PathTracer::new(prepared, camera, settings, seed)?.render(progress);
+    }
     let mut phases = Phases::default();
     let mut counts = Counts::default();
 
@@ -255,7 +268,7 @@ pub fn frame(
         _ => {}
     }
     let passes = prepared.gpu.take_pass_times()?;
-    Ok(Frame { image, counts, phases, passes })
+    Ok(Frame { image, standard_error: None, counts, phases, passes })
 }
 
 /// The VPLs that the settings ask for.

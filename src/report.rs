@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::gpu::{AdapterInfo, PassTime};
 use crate::image::Image;
@@ -49,6 +49,9 @@ pub struct Report {
     /// In 1/length² of the scene file's units; null when off or unused.
     pub clamp: Option<f64>,
     pub clamped_fraction: f64,
+    /// Root mean square over pixels and channels of the standard error of the pixels; null where
+    /// there is none.
+    pub standard_error: Option<f64>,
     pub nonfinite_pixels: u64,
     pub dropped_triangles: u64,
     pub left_out: Vec<&'static str>,
@@ -95,7 +98,7 @@ pub struct RunPhases {
 }
 
 /// Seconds of the phases of one frame.
-#[derive(Debug, Clone, Copy, Default, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[expect(missing_docs, reason = "as in `render::Phases`")]
 pub struct FramePhases {
     pub visible_points: f64,
@@ -125,7 +128,7 @@ impl From<&PassTime> for KernelTime {
 }
 
 /// How long one of the repeated frames took.
-#[derive(Debug, Clone, Copy, Default, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameTimes {
     /// Wall clock of the whole frame.
     pub seconds: f64,
@@ -226,12 +229,19 @@ impl Report {
             peak_memory_bytes: peak_memory_bytes(),
             clamp: counts.clamp,
             clamped_fraction: counts.clamped_fraction,
+            standard_error: first.standard_error.as_ref().map(root_mean_square),
             nonfinite_pixels: counts.nonfinite_pixels,
             dropped_triangles: scene.dropped_triangles,
             left_out: prepared.left_out(),
             warnings: Vec::new(),
         }
     }
+}
+
+fn root_mean_square(image: &Image) -> f64 {
+    let values = image.pixels.as_flattened();
+    let sum: f64 = values.iter().map(|&value| f64::from(value).powi(2)).sum();
+    (sum / values.len() as f64).sqrt()
 }
 
 /// The largest resident set of this process so far, where Linux's /proc tells it.

@@ -7,6 +7,7 @@
 
 mod builtin;
 mod camera;
+pub(crate) mod document;
 mod draft;
 mod mtl;
 mod normalise;

@@ -1,335 +1,322 @@
-//! Studies: experiments as data, run one after another on one prepared scene, and what comes
-//! out of them as rows, claims and files.
+//! Studies: what is to be measured as data ([`Plan`]), measured frame by frame and kept on disk
+//! ([`Store`]), and what came of it ([`Results`]) as tables, plots and a page.
 
 mod claims;
 pub mod csv;
+pub mod fit;
 pub mod markdown;
+mod measure;
+pub mod options;
 pub mod page;
+mod plan;
 pub mod plot;
+pub mod presets;
+mod reference;
 pub mod results;
+mod store;
+mod summary;
 pub mod thesis;
 
-use std::time::Instant;
-
-use serde::Serialize;
-
-use crate::gpu::{AdapterInfo, GpuError};
-use crate::image::Image;
-use crate::metrics::Metrics;
-use crate::render::{self, Bounces, Clustering, Counts, Frame, Method, Prepared, Settings};
-use crate::report::{BounceLimit, FrameTimes};
-use crate::scene::Camera;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 pub use claims::{Claim, Verdict};
+pub use measure::Measured;
+pub use plan::{Experiment, Plan, ReferencePlan, Run, Transport, unclustered};
+pub use reference::Reference;
+pub use results::{Results, Row};
+pub use store::Store;
 
-/// The layout of [`Results`]; it grows when a key changes its meaning, not when one is added.
-pub const SCHEMA: u32 = 1;
+use crate::error::Error;
+use crate::gpu::{AdapterChoice, AdapterInfo, Gpu};
+use crate::image::Image;
+use crate::render::{Prepared, Settings};
+use crate::scene::Scene;
+use measure::Bench;
+use reference::Making;
+use store::name_of;
 
-/// Frames to compare with each other.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Experiment {
-    /// The name that rows refer to.
-    pub name: &'static str,
-    /// What it is about.
-    pub title: &'static str,
-    /// Its frames.
-    pub runs: Vec<Run>,
+type Fault = Error;
+
+/// What a study tells while it runs.
+#[derive(Debug, Clone, Copy)]
+pub enum Event<'a> {
+    /// A part of a reference was rendered.
+    Pass {
+        /// The scene.
+        scene: &'a str,
+        /// Parts there are now.
+        done: u32,
+        /// Parts in all.
+        passes: u32,
+        /// What it took.
+        seconds: f64,
+    },
+    /// A frame was measured.
+    Frame {
+        /// The scene.
+        scene: &'a str,
+        /// How it was rendered.
+        settings: &'a Settings,
+        /// With which seed.
+        seed: u32,
+        /// What was measured.
+        measured: &'a Measured,
+        /// Whether an earlier run had measured it.
+        kept: bool,
+    },
+    /// Something is not as it should be.
+    Warning(&'a str),
 }
 
-/// One frame of an experiment.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Run {
-    /// What sets it apart from the others of its experiment.
-    pub setting: String,
-    /// How it is rendered.
-    pub settings: Settings,
-    /// What the thesis measured, where it did.
-    pub thesis: Option<Published>,
-}
+/// Told of events.
+pub type Tell<'a> = &'a dyn Fn(Event<'_>);
 
-/// Seconds that the thesis publishes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Published {
-    /// pT, where it is given.
-    pub preprocess: Option<f64>,
-    /// rT, where it is given.
-    pub render: Option<f64>,
-    /// tT.
-    pub total: f64,
-    /// How many times faster than its unclustered frame of the same VPLs, for clustered ones.
-    pub speedup: Option<f64>,
-}
-
-/// A measured run.
-#[derive(Debug, Clone, Serialize)]
-#[expect(missing_docs, reason = "the keys are the names; those that need a word have one")]
-pub struct Row {
-    pub experiment: &'static str,
-    pub setting: String,
-    pub method: &'static str,
-    pub light_paths: u32,
-    pub bounces: BounceLimit,
-    /// C as asked for; null where points are not clustered.
-    pub wanted_point_clusters: Option<u32>,
-    /// K_v as asked for; null where VPLs are not clustered.
-    pub wanted_vpl_clusters: Option<u32>,
-    pub options: String,
-    pub vpls: u64,
-    pub point_clusters: Option<u64>,
-    pub vpl_clusters: Option<u64>,
-    pub shadow_rays: u64,
-    pub shading_terms: u64,
-    /// Of the fastest frame, warm: pT, rT, the wall clock of the whole frame, and the phases.
-    pub times: FrameTimes,
-    /// Frames rendered to time it.
-    pub frames: u32,
-    /// The wall clock of the slowest of them, which tells how quiet the machine was.
-    pub slowest: f64,
-    /// How many times faster the frame is than `vpl` with the same VPLs; null for that itself.
-    pub speedup: Option<f64>,
-    pub thesis: Option<Published>,
-    /// Against `vpl` with the same VPLs and clamp; null for that itself.
-    pub error: Option<Metrics>,
-}
-
-/// All that a study found.
-#[derive(Debug, Clone, Serialize)]
-#[expect(missing_docs, reason = "the keys are the names")]
-pub struct Results {
-    pub schema: u32,
-    pub version: &'static str,
-    pub preset: &'static str,
-    pub scene: String,
-    pub adapter: AdapterInfo,
-    pub threads: usize,
-    pub seed: u32,
-    pub width: u32,
-    pub height: u32,
-    pub samples: u32,
-    pub rows: Vec<Row>,
-    pub claims: Vec<Claim>,
-}
-
-/// Measures experiments on one prepared scene.
+/// What is known of a scene so far.
 #[derive(Debug)]
-pub struct Runner<'a> {
-    prepared: &'a Prepared,
-    camera: Camera,
-    seed: u32,
-    /// Methods whose kernels are linked and warm.
-    warm: Vec<Method>,
-    measured: Vec<Measured>,
+pub struct Found {
+    /// Its name.
+    pub scene: String,
+    /// Its triangles.
+    pub triangles: usize,
+    /// Width and height of its frames.
+    pub size: [u32; 2],
+    /// At which FLIP looks.
+    pub exposure: f32,
+    /// One for each kind of transport; or one for all.
+    pub references: Vec<Reference>,
+    /// In the order of measuring.
+    pub frames: Vec<FoundFrame>,
 }
 
+/// A measured frame.
 #[derive(Debug, Clone)]
-struct Measured {
-    settings: Settings,
-    counts: Counts,
-    times: FrameTimes,
-    frames: u32,
-    slowest: f64,
-    error: Option<Metrics>,
-    speedup: Option<f64>,
-    /// Kept where it is a reference of others.
-    image: Option<Image>,
+pub struct FoundFrame {
+    /// How it was rendered.
+    pub settings: Settings,
+    /// With which seed.
+    pub seed: u32,
+    /// What was measured.
+    pub measured: Measured,
+    /// The name of its image in the store.
+    pub image: String,
 }
 
-impl<'a> Runner<'a> {
-    /// The longest side of the frames that warm a method up.
-    const WARM_UP: u32 = 64;
-    /// Frames of a reference, the fastest of which counts: all others are compared with them.
-    const REFERENCE_FRAMES: u32 = 2;
+/// A study under way.
+#[derive(Debug)]
+pub struct Study {
+    plan: Plan,
+    /// What is kept on disk.
+    pub store: Store,
+    adapter: AdapterChoice,
+    interrupt: Arc<AtomicBool>,
+    /// The scenes begun so far.
+    pub found: Vec<Found>,
+    /// The adapter used.
+    pub used: Option<AdapterInfo>,
+}
 
-    /// Nothing is measured yet.
-    pub fn new(prepared: &'a Prepared, camera: Camera, seed: u32) -> Self {
-        Self { prepared, camera, seed, warm: Vec::new(), measured: Vec::new() }
+impl Study {
+    /// Nothing is measured yet beside what the store holds.
+    pub fn new(
+        plan: Plan,
+        store: Store,
+        adapter: AdapterChoice,
+        interrupt: Arc<AtomicBool>,
+    ) -> Self {
+        Self { plan, store, adapter, interrupt, found: Vec::new(), used: None }
     }
 
-    /// Measures all runs in their order and tells each row. Runs of equal settings are
-    /// rendered once and share their numbers.
+    /// Measures all that is not in the store. What was found stays if an error ends it.
     ///
     /// # Errors
-    /// The device fails.
-    pub fn run(
-        &mut self,
-        experiments: &[Experiment],
-        tell: &dyn Fn(&Row),
-    ) -> Result<Vec<Row>, GpuError> {
-        let mut rows = Vec::new();
-        for experiment in experiments {
-            for run in &experiment.runs {
-                let measured = self.measured(&run.settings)?;
-                let row = row(experiment, run, measured);
-                tell(&row);
-                rows.push(row);
+    /// A scene or reference cannot be read, the device fails, the disk is full, or the user
+    /// interrupts.
+    pub fn run(&mut self, tell: Tell<'_>) -> Result<(), Error> {
+        for scene in self.plan.scenes.clone() {
+            self.scene(&scene, tell)?;
+        }
+        Ok(())
+    }
+
+    fn scene(&mut self, name: &str, tell: Tell<'_>) -> Result<(), Error> {
+        let scene = Scene::load(name)?;
+        for warning in &scene.warnings {
+            tell(Event::Warning(&warning.message));
+        }
+        let gpu = Gpu::open(&self.adapter)?.interrupted_by(self.interrupt.clone());
+        let used = self.used.insert(gpu.info.clone());
+        let mut camera = scene.camera;
+        camera.size = self.plan.size.unwrap_or(camera.size);
+        let exposure = scene.exposure;
+        let prepared = Prepared::new(gpu, scene, &Settings::default())?;
+        self.found.push(Found {
+            scene: name.to_owned(),
+            triangles: prepared.scene.triangles.len(),
+            size: camera.size,
+            exposure,
+            references: Vec::new(),
+            frames: Vec::new(),
+        });
+        let key = key(used, &prepared, camera.size);
+        let bench = Bench::new(&prepared, camera, self.plan.frames);
+        let mut work = Work { study: self, bench, key, tell };
+        work.references(name, exposure)?;
+        for index in 0..work.study.plan.seeds.len() {
+            for settings in work.study.plan.frames_of_seed(index) {
+                work.frame(&settings, index)?;
             }
         }
-        Ok(rows)
-    }
-
-    fn measured(&mut self, settings: &Settings) -> Result<&Measured, GpuError> {
-        let settings = normal_form(settings);
-        let index = match self.measured.iter().position(|known| known.settings == settings) {
-            Some(index) => index,
-            None => {
-                let measured = self.measure(&settings)?;
-                self.measured.push(measured);
-                self.measured.len() - 1
-            }
-        };
-        Ok(&self.measured[index])
-    }
-
-    fn measure(&mut self, settings: &Settings) -> Result<Measured, GpuError> {
-        self.warm_up(settings)?;
-        let is_reference = settings.method == Method::Vpl;
-        if !is_reference {
-            self.measured(&Settings { method: Method::Vpl, ..*settings })?;
-        }
-        let (frame, mut times) = self.timed_frame(settings)?;
-        let mut slowest = times.seconds;
-        let frames = if is_reference { Self::REFERENCE_FRAMES } else { 1 };
-        for _ in 1..frames {
-            let again = self.timed_frame(settings)?.1;
-            slowest = slowest.max(again.seconds);
-            if again.seconds < times.seconds {
-                times = again;
-            }
-        }
-
-        let (mut error, mut speedup) = (None, None);
-        if !is_reference {
-            let reference = self.measured(&Settings { method: Method::Vpl, ..*settings })?;
-            error = reference.image.as_ref().and_then(|image| Metrics::of(&frame.image, image));
-            speedup = Some(reference.times.seconds / times.seconds);
-        }
-        let image = is_reference.then_some(frame.image);
-        let (settings, counts) = (*settings, frame.counts);
-        Ok(Measured { settings, counts, times, frames, slowest, error, speedup, image })
-    }
-
-    fn timed_frame(&self, settings: &Settings) -> Result<(Frame, FrameTimes), GpuError> {
-        let start = Instant::now();
-        let frame = render::frame(self.prepared, &self.camera, settings, self.seed, &|_, _| {})?;
-        let times = FrameTimes::new(start.elapsed(), &frame.phases);
-        Ok((frame, times))
-    }
-
-    /// Renders a small frame with a method that is new, so that linking shaders is in no row.
-    fn warm_up(&mut self, settings: &Settings) -> Result<(), GpuError> {
-        if self.warm.contains(&settings.method) {
-            return Ok(());
-        }
-        let mut camera = self.camera;
-        camera.size = camera.size.map(|extent| extent.min(Self::WARM_UP));
-        render::frame(self.prepared, &camera, settings, self.seed, &|_, _| {})?;
-        self.warm.push(settings.method);
         Ok(())
     }
 }
 
-/// Settings without what the method does not look at, so that equal frames have equal ones.
-fn normal_form(settings: &Settings) -> Settings {
-    let mut settings = *settings;
-    let (given, default) = (settings.clustering, Clustering::default());
-    settings.clustering = default;
-    if settings.method.clusters_points() {
-        settings.clustering = Clustering {
-            vpls: default.vpls,
-            vpl_iterations: default.vpl_iterations,
-            representative: default.representative,
-            merge: default.merge,
-            ..given
+/// Measuring a scene.
+struct Work<'a> {
+    study: &'a mut Study,
+    bench: Bench<'a>,
+    /// What tells the scene from others, and this program and machine from others.
+    key: String,
+    tell: Tell<'a>,
+}
+
+impl Work<'_> {
+    fn found(&mut self) -> Option<&mut Found> {
+        self.study.found.last_mut()
+    }
+
+    fn references(&mut self, scene: &str, exposure: f32) -> Result<(), Error> {
+        let mask_above = self.study.plan.mask_above;
+        let making = Making { key: &self.key, scene, mask_above, exposure };
+        for transport in self.study.plan.transports() {
+            let (bench, store, tell) = (&mut self.bench, &mut self.study.store, self.tell);
+            let mut reference = match &self.study.plan.reference {
+                ReferencePlan::Path { samples } => {
+                    reference::rendered(bench, store, making, transport, *samples, tell)?
+                }
+                ReferencePlan::File(file) => {
+                    reference::given(bench, store, making, transport, file, tell)?
+                }
+            };
+            if !reference.lens.keep.contains(&true) {
+                let what = format!("{scene}: mask_above leaves no pixel to compare; raise it");
+                return Err(Error::Usage(what));
+            }
+            for warning in &reference.about.warnings {
+                tell(Event::Warning(warning));
+            }
+            let Some(found) = self.study.found.last_mut() else { continue };
+            let id = format!("reference {}", found.references.len() + 1);
+            reference.about.image = Some(id.clone());
+            reference.about.id = id;
+            found.references.push(reference);
+        }
+        Ok(())
+    }
+
+    /// Measures a frame with the seed of an index, or finds it measured.
+    fn frame(&mut self, settings: &Settings, index: usize) -> Result<(), Error> {
+        let seed = self.study.plan.seeds[index];
+        let base = unclustered(settings).filter(|_| self.study.plan.clusters(index));
+        let clusters = base.is_some();
+        let identity = self.reference(settings).map(|reference| reference.identity.clone());
+        let image_key = self.image_key(settings, seed);
+        let key = format!(
+            "{image_key} frames {} reference {identity:?} mask {:?} clustering {clusters}",
+            self.bench.frames, self.study.plan.mask_above
+        );
+        let image = name_of(&image_key);
+        let shown = index == 0 || self.is_base(settings, index);
+        let kept =
+            self.study.store.get(&key).filter(|_| !shown || self.study.store.has_image(&image));
+        let was_kept = kept.is_some();
+        let measured = match kept {
+            Some(measured) => measured.clone(),
+            None => {
+                let (frame, times) = self.bench.frame(settings, seed)?;
+                let base = base.map(|base| self.base_image(&base, seed)).transpose()?;
+                let measured = self.compared(settings, &frame.image, base.as_ref());
+                let measured = Measured { times, counts: frame.counts, ..measured };
+                if shown {
+                    self.study.store.put_image(&image, &frame.image)?;
+                }
+                self.study.store.put(&key, measured.clone())?;
+                measured
+            }
         };
+        let tell = self.tell;
+        if let Some(found) = self.found() {
+            let (scene, measured_now) = (&found.scene, &measured);
+            tell(Event::Frame { scene, settings, seed, measured: measured_now, kept: was_kept });
+            found.frames.push(FoundFrame { settings: *settings, seed, measured, image });
+        }
+        Ok(())
     }
-    if settings.method.clusters_vpls() {
-        settings.clustering.vpls = given.vpls;
-        settings.clustering.vpl_iterations = given.vpl_iterations;
-        settings.clustering.representative = given.representative;
-        settings.clustering.merge = given.merge;
-        settings.clustering.normal_threshold = given.normal_threshold;
+
+    fn reference(&self, settings: &Settings) -> Option<&Reference> {
+        self.study.found.last()?.reference(settings)
     }
-    settings
+
+    /// The errors of an image against the reference, and against the one without clusters.
+    fn compared(&self, settings: &Settings, image: &Image, base: Option<&Image>) -> Measured {
+        let Some(reference) = self.reference(settings) else { return Measured::default() };
+        let lens = &reference.lens;
+        Measured {
+            total: lens.compare(&reference.image, image),
+            clustering: base.and_then(|base| lens.compare(base, image)),
+            ..Measured::default()
+        }
+    }
+
+    /// Whether others of this seed are compared with a frame.
+    fn is_base(&self, settings: &Settings, index: usize) -> bool {
+        let plan = &self.study.plan;
+        plan.clusters(index)
+            && plan
+                .frames_of_seed(index)
+                .iter()
+                .any(|other| unclustered(other).is_some_and(|base| options::same(&base, settings)))
+    }
+
+    /// The image of a frame that was measured before.
+    fn base_image(&mut self, base: &Settings, seed: u32) -> Result<Image, Error> {
+        let name = name_of(&self.image_key(base, seed));
+        match self.study.store.image(&name) {
+            Some(image) => Ok(image),
+            None => Ok(self.bench.frame(base, seed)?.0.image),
+        }
+    }
+
+    fn image_key(&self, settings: &Settings, seed: u32) -> String {
+        format!("{} seed {seed} {}", self.key, options::all(settings))
+    }
 }
 
-fn row(experiment: &Experiment, run: &Run, measured: &Measured) -> Row {
-    let settings = &run.settings;
-    let (method, clustering) = (settings.method, &settings.clustering);
-    let Counts { vpls, point_clusters, vpl_clusters, shadow_rays, shading_terms, .. } =
-        measured.counts;
-    Row {
-        experiment: experiment.name,
-        setting: run.setting.clone(),
-        method: method.name(),
-        light_paths: settings.light_paths,
-        bounces: match settings.bounces {
-            Bounces::Finite(bounces) => BounceLimit::Finite(bounces),
-            Bounces::Unlimited => BounceLimit::Named("unlimited"),
-        },
-        wanted_point_clusters: method.clusters_points().then_some(clustering.points),
-        wanted_vpl_clusters: method.clusters_vpls().then_some(clustering.vpls),
-        options: options(settings),
-        vpls,
-        point_clusters,
-        vpl_clusters,
-        shadow_rays,
-        shading_terms,
-        times: measured.times,
-        frames: measured.frames,
-        slowest: measured.slowest,
-        speedup: measured.speedup,
-        thesis: run.thesis,
-        error: measured.error,
+impl Found {
+    /// The reference that frames of these settings are compared with.
+    pub fn reference(&self, settings: &Settings) -> Option<&Reference> {
+        let transport = Transport::of(settings);
+        self.references.iter().find(|reference| reference.transport.is_none_or(|t| t == transport))
     }
 }
 
-/// The options that the method looks at beside those with a column, as the command line has
-/// them.
-fn options(settings: &Settings) -> String {
-    let Settings { method, clustering, interleave, edge_samples, .. } = settings;
-    let mut options = Vec::new();
-    if method.clusters_points() {
-        let Clustering { point_iterations, stride, fuzzy, probes, .. } = clustering;
-        options.push(format!("--point-iterations {point_iterations}"));
-        options.push(format!("--kmeans-stride {stride} --fuzzy {fuzzy} --probes {probes}"));
-    }
-    if method.clusters_vpls() {
-        let Clustering { vpl_iterations, representative, merge, .. } = clustering;
-        let lower = |what: String| what.to_lowercase();
-        options.push(format!("--vpl-iterations {vpl_iterations}"));
-        options.push(format!("--representative {}", lower(format!("{representative:?}"))));
-        options.push(format!("--merge {}", lower(format!("{merge:?}"))));
-    }
-    if !options.is_empty() {
-        options.push(format!("--normal-threshold {}", clustering.normal_threshold));
-    }
-    options.push(format!("--interleave {interleave} --edge-samples {edge_samples}"));
-    options.join(" ")
+/// What tells a scene from others, and this program and machine from others: all that figures
+/// depend on.
+fn key(adapter: &AdapterInfo, prepared: &Prepared, [width, height]: [u32; 2]) -> String {
+    let scene = &prepared.scene;
+    let mut hasher = DefaultHasher::new();
+    let program = std::env::current_exe().and_then(std::fs::read).unwrap_or_default();
+    program.hash(&mut hasher);
+    bytemuck::cast_slice::<_, u8>(&prepared.bvh.triangles).hash(&mut hasher);
+    let rest = (&scene.materials, &scene.point_lights, &scene.camera, scene.units, adapter);
+    format!("{rest:?}").hash(&mut hasher);
+    let threads = rayon::current_num_threads();
+    format!("{} {:016x} {threads} {width}x{height}", scene.name, hasher.finish())
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn settings_that_a_method_ignores_make_no_new_frame() {
-        let clustering = Clustering { points: 7, vpls: 9, ..Clustering::default() };
-        let form = |method| {
-            normal_form(&Settings { method, clustering, ..Settings::default() }).clustering
-        };
-        let counts = |method| (form(method).points, form(method).vpls);
-        assert_eq!(counts(Method::Vpl), (2600, 1000));
-        assert_eq!(counts(Method::Vpc), (7, 1000));
-        assert_eq!(counts(Method::Vplc), (2600, 9));
-        assert_eq!(counts(Method::Both), (7, 9));
-    }
-
-    #[test]
-    fn options_are_those_that_count() {
-        let text = |method| options(&Settings { method, ..Settings::default() });
-        assert!(text(Method::Vpl).starts_with("--interleave"));
-        assert!(text(Method::Vpc).contains("--kmeans-stride 4"));
-        assert!(!text(Method::Vpc).contains("representative"));
-        assert!(text(Method::Vplc).contains("--representative member --merge visibility"));
-    }
+/// The place of what is kept within the directory of a study.
+pub fn store_in(directory: &Path) -> std::path::PathBuf {
+    directory.join("measured")
 }

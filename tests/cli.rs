@@ -98,7 +98,10 @@ fn wrong_usage_is_code_2() {
         ("render -o a.png --bogus", "see gpu-vpl render --help"),
         ("render -o a.png b c", "'c'"),
         ("render -o a.png --method bogus", "vpl, vplc, vpc, both, direct"),
-        ("render -o a.png --method path", "not supported yet"),
+        ("render -o a.png --method path --direct clustered", "give --method vpc or both"),
+        ("render -o a.png --method path --light-samples 4", "one shadow ray a vertex"),
+        ("render -o a.png --aov standard-error", "needs --method path"),
+        ("render -o a.png --method path --samples 1 --aov standard-error", "2 --samples or more"),
         ("render -o a.png --direct clustered --method vpl", "give --method vpc or both"),
         ("render -o a.png --interleave 9", "9 is not in 1..=8"),
         ("render -o a.png --compensate", "--compensate is not supported yet"),
@@ -317,7 +320,7 @@ fn the_report_has_every_key() {
         "schema version scene method seed width height samples adapter triangles spheres lights \
          visible_points light_paths bounces vpls vpl_clusters point_clusters shadow_rays \
          shading_terms seconds phases frames threads peak_memory_bytes clamp clamped_fraction \
-         nonfinite_pixels dropped_triangles left_out warnings",
+         standard_error nonfinite_pixels dropped_triangles left_out warnings",
     );
     has(&report["adapter"], "name backend driver device_type");
     has(&report["seconds"], "preprocess render total");

@@ -8,8 +8,8 @@ use std::mem::offset_of;
 
 use gpu_vpl::gpu::{
     AreaLightRecord, CameraParams, DirectParams, ExpandParams, InterleaveParams, MaterialRecord,
-    NodeRecord, PointLightRecord, PointRecord, ShadeParams, TriangleRecord, VisibilityParams,
-    VplRecord,
+    NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams,
+    TriangleRecord, VisibilityParams, VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};
@@ -77,7 +77,7 @@ fn records() -> Vec<Record> {
         record!(MaterialRecord as "Material" { albedo, two_sided, emission, pad }),
         record!(PointRecord as "Point" { position, surface, normal, depth }),
         record!(VplRecord as "Vpl" { position, pad0, normal, pad1, intensity, mean }),
-        record!(PointLightRecord as "PointLight" { position, pad0, intensity, pad1 }),
+        record!(PointLightRecord as "PointLight" { position, before, intensity, probability }),
         record!(AreaLightRecord as "AreaLight" {
             corner, before, edge1, probability, edge2, two_sided, normal, area, radiance, pad,
         }),
@@ -95,6 +95,11 @@ fn records() -> Vec<Record> {
         record!(ExpandParams as "ExpandParams" { rows, matrix_word, words, pad }),
         record!(ShadeParams as "ShadeParams" {
             points, rows, matrix_word, words, bound, first_point, pad,
+        }),
+        record!(PathRecord as "Path" { throughput, stream }),
+        record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),
+        record!(PathParams as "PathParams" {
+            paths, bounce, first_sample, samples, lights, nodes, offset, light_density,
         }),
         record!(InterleaveParams as "InterleaveParams" {
             width, height, s, rotation, subset_width, subset_points, points, pass_number,
@@ -154,7 +159,7 @@ fn all_modules() -> Vec<naga::Module> {
 #[test]
 fn host_records_are_laid_out_as_naga_does() {
     let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
-    assert_eq!(compared.len(), 13, "{compared:?}");
+    assert_eq!(compared.len(), 16, "{compared:?}");
 }
 
 #[test]

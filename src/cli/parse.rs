@@ -1,15 +1,18 @@
 //! The values of options, and how a wrong one is told.
 
 use super::compare::MapKind;
+use super::render::Aov;
 use crate::image::Tone;
 use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
+use crate::study::{presets, thesis};
 
 /// The methods there are.
-const METHODS: [Method; 11] = [
+const METHODS: [Method; 12] = [
     Method::Vpl,
     Method::Vplc,
     Method::Vpc,
     Method::Both,
+    Method::Path,
     Method::Direct,
     Method::Normal,
     Method::Depth,
@@ -19,26 +22,19 @@ const METHODS: [Method; 11] = [
     Method::VplClustersMap,
 ];
 
-/// Those of the command line's contract that are still to come.
-const LATER_METHODS: [&str; 1] = ["path"];
-
 pub fn method(text: &str) -> Result<Method, String> {
     if let Some(method) = METHODS.into_iter().find(|method| method.name() == text) {
         return Ok(method);
     }
     let known = METHODS.map(Method::name).join(", ");
-    if LATER_METHODS.contains(&text) {
-        Err(format!("this method is not supported yet; give one of {known}"))
-    } else {
-        Err(format!("give one of {known}"))
-    }
+    Err(format!("give one of {known}"))
 }
 
 /// One of the auxiliary images.
-pub fn aov(text: &str) -> Result<Method, String> {
-    let known = [Method::Normal, Method::Albedo, Method::Depth];
-    let found = known.into_iter().find(|method| method.name() == text);
-    found.ok_or_else(|| "give some of normal,albedo,depth".to_owned())
+pub fn aov(text: &str) -> Result<Aov, String> {
+    let data = [Method::Normal, Method::Albedo, Method::Depth].map(Aov::Of);
+    let found = data.into_iter().chain([Aov::StandardError]).find(|aov| aov.name() == text);
+    found.ok_or_else(|| "give some of normal,albedo,depth,standard-error".to_owned())
 }
 
 pub fn bounces(text: &str) -> Result<Bounces, String> {
@@ -77,9 +73,10 @@ pub fn merge(text: &str) -> Result<Merge, String> {
 /// The experiments of `study`.
 pub fn preset(text: &str) -> Result<&'static str, String> {
     match text {
-        "thesis" => Ok("thesis"),
-        "quick" | "extremes" => Err("not supported yet; give thesis".to_owned()),
-        _ => Err("give thesis".to_owned()),
+        thesis::NAME => Ok(thesis::NAME),
+        presets::QUICK => Ok(presets::QUICK),
+        "extremes" => Err("not supported yet; give thesis or quick".to_owned()),
+        _ => Err("give thesis or quick".to_owned()),
     }
 }
 
@@ -195,10 +192,10 @@ mod tests {
     }
 
     #[test]
-    fn a_later_method_is_told_from_an_unknown_one() {
+    fn methods_go_by_their_names() {
         assert_eq!(method("vpl"), Ok(Method::Vpl));
-        assert!(method("path").unwrap_err().contains("not supported yet"));
-        assert!(!method("bogus").unwrap_err().contains("yet"));
+        assert_eq!(method("path"), Ok(Method::Path));
+        assert!(method("bogus").unwrap_err().contains("both, path, direct"));
         assert_eq!(direct("clustered"), Ok(Direct::Clustered));
     }
 

@@ -1,5 +1,6 @@
 //! `render`: one image of a scene.
 
+mod aov;
 mod args;
 mod job;
 mod outputs;
@@ -7,6 +8,7 @@ mod warnings;
 
 use std::time::Instant;
 
+pub use aov::Aov;
 pub use args::RenderArgs;
 use job::Job;
 use outputs::{Outputs, Shown};
@@ -15,8 +17,9 @@ use warnings::Warnings;
 use super::console;
 use crate::error::{Error, OutputError};
 use crate::gpu::{Gpu, GpuError};
+use crate::image::Image;
 use crate::image::output::{Staged, commit};
-use crate::render::{Frame, Method, Prepared};
+use crate::render::{Frame, Prepared};
 use crate::report::{Report, RunPhases, Seconds};
 use crate::scene::Scene;
 
@@ -41,7 +44,7 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
 
     let job = prepare(args, scene, &mut phases)?;
     let (frame, frames) = job.repeated(args.repeat)?;
-    let aovs = job.aovs(&aovs)?;
+    let aovs = job.aovs(&aovs, &frame)?;
     warnings.check(&frame, &job.settings)?;
     let write = || stage_images(&outputs, &job, &frame, &aovs, exposure, started);
     let mut staged = timed(&mut phases.write, write)?;
@@ -102,7 +105,7 @@ fn stage_images(
     outputs: &Outputs,
     job: &Job,
     frame: &Frame,
-    aovs: &[(Method, Frame)],
+    aovs: &[(Aov, Image)],
     exposure: f32,
     started: Instant,
 ) -> Result<Vec<Staged>, OutputError> {
@@ -110,9 +113,7 @@ fn stage_images(
     let adapter = &job.prepared.gpu.info.name;
     let metadata = outputs::metadata(method, job.seed, &frame.counts, adapter, started.elapsed());
     let main = Shown { method, image: &frame.image };
-    let aovs: Vec<_> =
-        aovs.iter().map(|(method, frame)| Shown { method: *method, image: &frame.image }).collect();
-    outputs.stage(main, &aovs, exposure, &metadata)
+    outputs.stage(main, aovs, exposure, &metadata)
 }
 
 fn stage_report(outputs: &Outputs, report: &Report) -> Result<Option<Staged>, OutputError> {

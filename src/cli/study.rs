@@ -1,40 +1,84 @@
-//! `study`: experiments on one scene, written as tables.
+//! `study`: a plan from the command line, measured, and what was found written as tables, plots
+//! and a page.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+mod axes;
+mod outputs;
+mod progress;
+mod sweep;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use clap::Args;
+use signal_hook::{consts::SIGINT, flag};
 
 use super::{console, parse, render};
-use crate::error::{Error, OutputError};
-use crate::gpu::Gpu;
-use crate::image::Destination;
-use crate::image::output::commit;
-use crate::render::{Prepared, Settings};
-use crate::scene::Scene;
-use crate::study::{Results, Row, Runner, SCHEMA, csv, markdown, thesis};
+use crate::error::Error;
+use crate::gpu::GpuError;
+use crate::study::{Plan, ReferencePlan, Store, Study, options, presets, thesis};
+use axes::Axes;
+use outputs::Outputs;
+use progress::Progress;
 
 /// The options of `study`.
 #[derive(Debug, Args)]
 pub struct StudyArgs {
-    #[arg(hide = true)]
+    /// Scenes, as for render
     scenes: Vec<String>,
 
-    /// Which experiments: thesis
-    #[arg(long, value_name = "PRESET", value_parser = parse::preset)]
+    /// A study with a name: thesis (its experiments), quick (every method, 256x256, 3 seeds)
+    #[arg(long, value_name = "PRESET", value_parser = parse::preset, conflicts_with = "sweep")]
     preset: Option<&'static str>,
 
-    /// Directory for thesis.md, thesis.csv and thesis.json; made if it is not there
+    /// What to measure, from a file: [[experiment]] tables of render's options, a list for each
+    /// that varies; see the README
+    #[arg(long, value_name = "FILE.toml")]
+    sweep: Option<PathBuf>,
+
+    /// Directory for study.html, .md, .csv, .json and plots; made if it is not there. What it
+    /// holds already is not measured again
     #[arg(short, long = "output", value_name = "DIR", required = true)]
     output: PathBuf,
 
-    /// Width and height in pixels [default: the thesis's 512x512]
+    /// Measure anew what DIR holds already
+    #[arg(long)]
+    fresh: bool,
+
+    /// Image to compare with [default: the path tracer's, rendered once]
+    #[arg(long, value_name = "FILE.exr", conflicts_with = "reference_samples")]
+    reference: Option<PathBuf>,
+
+    /// Samples of the path tracer's reference [default: 1024; thesis: 256]
+    #[arg(long, allow_negative_numbers = true, value_name = "S",
+          value_parser = clap::value_parser!(u32).range(32..=1 << 24))]
+    reference_samples: Option<u32>,
+
+    /// Seeds of each frame [default: 5; quick: 3; thesis: 1]
+    #[arg(long, allow_negative_numbers = true, value_name = "N",
+          value_parser = clap::value_parser!(u32).range(1..=1000))]
+    seeds: Option<u32>,
+
+    /// The first seed
+    #[arg(long, allow_negative_numbers = true, default_value_t = 0)]
+    seed: u32,
+
+    /// Of the seeds, how many to measure the error of clustering with, which takes a frame of vpl
+    /// [default: 1; thesis: all]
+    #[arg(long, allow_negative_numbers = true, value_name = "N",
+          value_parser = clap::value_parser!(u32).range(0..=1000))]
+    clustering_seeds: Option<u32>,
+
+    /// Leave out pixels within 2 of any brighter than this in the reference: lights seen directly
+    #[arg(long, value_name = "L", value_parser = parse::number, allow_hyphen_values = true)]
+    mask_above: Option<f64>,
+
+    /// Width and height in pixels [default: the scene's; quick: 256x256; thesis: 512x512]
     #[arg(long, value_name = "WxH", value_parser = parse::size, allow_hyphen_values = true)]
     size: Option<[u32; 2]>,
 
-    /// Seed of all random numbers
-    #[arg(long, allow_negative_numbers = true, default_value_t = 0)]
-    seed: u32,
+    #[command(flatten)]
+    axes: Axes,
 
     /// Part of an adapter's name or driver, its index in `gpu-vpl info`, or cpu
     /// [default: $WGPU_ADAPTER_NAME, else hardware before software]
@@ -46,130 +90,118 @@ pub struct StudyArgs {
           value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 
-    /// Say nothing on standard error but errors
+    /// Say nothing on standard error but errors and warnings
     #[arg(long)]
     quiet: bool,
-
-    #[arg(long, hide = true)]
-    sweep: Option<PathBuf>,
-    #[arg(long, hide = true)]
-    reference: Option<PathBuf>,
-    #[arg(long, hide = true)]
-    seeds: Option<String>,
-    #[arg(long, hide = true)]
-    fresh: bool,
 }
 
 impl StudyArgs {
-    /// The preset asked for, after what is still to come was refused.
-    fn checked_preset(&self) -> Result<&'static str, Error> {
-        let later = [
-            ("a SCENE", !self.scenes.is_empty()),
-            ("--sweep", self.sweep.is_some()),
-            ("--reference", self.reference.is_some()),
-            ("--seeds", self.seeds.is_some()),
-            ("--fresh", self.fresh),
-        ];
-        if let Some((name, _)) = later.into_iter().find(|(_, given)| *given) {
-            let what = format!("study: {name} is not supported yet; leave it out");
-            return Err(Error::Usage(what));
+    /// What is to be measured.
+    fn plan(&self) -> Result<Plan, Error> {
+        let mut plan = self.base()?;
+        plan.size = self.size.or(plan.size);
+        plan.mask_above = self.mask_above.or(plan.mask_above);
+        if let Some(count) = self.clustering_seeds {
+            plan.clustering_seeds = count as usize;
         }
-        let missing = || Error::Usage("study: what to study? Give --preset thesis".to_owned());
-        self.preset.ok_or_else(missing)
+        let count = self.seeds.unwrap_or(plan.seeds.len() as u32);
+        plan.seeds = (0..count).map(|index| self.seed.wrapping_add(index)).collect();
+        if let Some(samples) = self.reference_samples {
+            plan.reference = ReferencePlan::Path { samples };
+        }
+        if let Some(file) = &self.reference {
+            check_one_image(&plan)?;
+            plan.reference = ReferencePlan::File(file.clone());
+        }
+        Ok(plan)
+    }
+
+    /// The preset, the sweep of a file, that of options, or every method.
+    fn base(&self) -> Result<Plan, Error> {
+        let refuse = |what: &str| Err(Error::Usage(format!("study: {what}")));
+        let swept = !self.axes.is_empty();
+        if swept && (self.preset.is_some() || self.sweep.is_some()) {
+            return refuse("options of render go neither with --preset nor with --sweep");
+        }
+        let scenes = self.scenes.clone();
+        match (self.preset, &self.sweep) {
+            (Some(thesis::NAME), _) if !scenes.is_empty() => {
+                refuse("the thesis has its own scene; leave SCENE out")
+            }
+            (Some(thesis::NAME), _) => Ok(thesis::plan()),
+            (Some(_), _) => Ok(presets::quick(scenes)),
+            (None, Some(file)) => sweep::read(file, scenes),
+            (None, None) if scenes.is_empty() => refuse(
+                "what to study? Give a SCENE, --sweep FILE.toml, or --preset thesis or quick",
+            ),
+            (None, None) if swept => Ok(Plan {
+                name: "sweep".to_owned(),
+                experiments: self.axes.experiments()?,
+                ..presets::of_scenes(scenes)
+            }),
+            (None, None) => Ok(presets::of_scenes(scenes)),
+        }
     }
 }
 
-/// Runs a preset's experiments and writes what they found.
-///
-/// # Errors
-/// Usage is refused, an output cannot be written, or the device fails.
-pub fn run(args: &StudyArgs) -> Result<(), Error> {
-    let preset = args.checked_preset()?;
-    let directory = Directory::make(&args.output)?;
-    let file = |ending: &str| Destination::check(&args.output.join(format!("{preset}.{ending}")));
-    let (md, csv_file, json) = (file("md")?, file("csv")?, file("json")?);
-    render::start_threads(args.threads)?;
-
-    let experiments = thesis::experiments();
-    let results = measure(args, preset, &experiments)?;
-    let staged = vec![
-        md.stage(|out| markdown::write(out, &experiments, &results))?,
-        csv_file.stage(|out| csv::write(out, &results.rows))?,
-        json.stage(|out| {
-            serde_json::to_writer_pretty(&mut *out, &results)?;
-            out.write_all(b"\n")
-        })?,
-    ];
-    commit(staged)?;
-    directory.keep();
+/// A given reference is of one scene and one kind of transport.
+fn check_one_image(plan: &Plan) -> Result<(), Error> {
+    let refuse = |what: &str| Err(Error::Usage(format!("study: --reference is one image, {what}")));
+    if plan.scenes.len() > 1 {
+        return refuse("but there are several scenes; study one at a time");
+    }
+    if plan.transports().len() > 1 {
+        return refuse("but the settings differ in --bounces or --direct off; study one at a time");
+    }
     Ok(())
 }
 
-fn measure(
-    args: &StudyArgs,
-    preset: &'static str,
-    experiments: &[crate::study::Experiment],
-) -> Result<Results, Error> {
-    let scene = Scene::load(thesis::SCENE)?;
-    let gpu = Gpu::open(&super::adapter_choice(args.adapter.as_deref()))?;
-    let adapter = gpu.info.clone();
-    let mut camera = scene.camera;
-    camera.size = args.size.unwrap_or(thesis::SIZE);
-    let [width, height] = camera.size;
-    let settings = Settings::default();
-    let prepared = Prepared::new(gpu, scene, &settings)?;
-    let tell = |row: &Row| {
-        if !args.quiet {
-            let Row { experiment, setting, times, .. } = row;
-            console::say(&format!("{experiment}, {setting}: {:.3} s", times.seconds));
+/// Measures what is planned, as far as it is not measured yet, and writes what was found. An
+/// interrupted study writes what is done, and goes on when it is run again.
+///
+/// # Errors
+/// Usage is refused, an input cannot be read, an output cannot be written, or the device fails.
+pub fn run(args: &StudyArgs) -> Result<(), Error> {
+    let plan = args.plan()?;
+    let outputs = Outputs::check(&args.output)?;
+    render::start_threads(args.threads)?;
+    let store = Store::open(&outputs.store(), args.fresh)?;
+    let progress = Progress::new(&plan, args.quiet);
+    let adapter = super::adapter_choice(args.adapter.as_deref());
+    let mut study = Study::new(plan, store, adapter, interrupt()?);
+    let result = study.run(&|event| progress.tell(event));
+    let interrupted = match result {
+        Err(Error::Gpu(GpuError::Interrupted)) => true,
+        other => {
+            other?;
+            false
         }
     };
-    let rows = Runner::new(&prepared, camera, args.seed).run(experiments, &tell)?;
-    Ok(Results {
-        schema: SCHEMA,
-        version: env!("CARGO_PKG_VERSION"),
-        preset,
-        scene: thesis::SCENE.to_owned(),
-        adapter,
-        threads: rayon::current_num_threads(),
-        seed: args.seed,
-        width,
-        height,
-        samples: settings.samples,
-        claims: thesis::claims(&rows),
-        rows,
-    })
-}
-
-/// The directory of the outputs; removed again if it was made here and nothing came of it.
-#[derive(Debug)]
-struct Directory {
-    made: Option<PathBuf>,
-}
-
-impl Directory {
-    fn make(name: &Path) -> Result<Self, OutputError> {
-        let refuse = |why: String| OutputError::Write { file: name.to_owned(), why };
-        if name.is_dir() {
-            return Ok(Self { made: None });
-        }
-        if fs::symlink_metadata(name).is_ok() {
-            return Err(refuse("it is no directory; name one, or one to be made".to_owned()));
-        }
-        fs::create_dir(name).map_err(|error| refuse(error.kind().to_string()))?;
-        Ok(Self { made: Some(name.to_owned()) })
-    }
-
-    fn keep(mut self) {
-        self.made = None;
+    let results = study.results(command());
+    outputs.write(&study, &results)?;
+    match interrupted {
+        false => Ok(()),
+        true => Err(Error::Interrupted(format!(
+            "interrupted: {} of {} frames are measured, {} shows them; the same command goes on",
+            results.finished,
+            results.planned,
+            args.output.join(outputs::PAGE).display()
+        ))),
     }
 }
 
-impl Drop for Directory {
-    fn drop(&mut self) {
-        if let Some(made) = &self.made {
-            // An empty directory left behind does no harm; one with files in it is not removed.
-            let _ = fs::remove_dir(made);
-        }
-    }
+/// A flag that Ctrl-C sets; pressed again, it ends the program at once.
+fn interrupt() -> Result<Arc<AtomicBool>, Error> {
+    let pressed = Arc::new(AtomicBool::new(false));
+    let refuse = |error| Error::Usage(format!("study: cannot listen to Ctrl-C: {error}"));
+    flag::register_conditional_shutdown(SIGINT, 130, pressed.clone()).map_err(refuse)?;
+    flag::register(SIGINT, pressed.clone()).map_err(refuse)?;
+    Ok(pressed)
+}
+
+/// The command as it was given.
+fn command() -> String {
+    let words = std::env::args_os().skip(1);
+    let words = words.map(|word| options::quoted(&console::one_line(&word.to_string_lossy())));
+    std::iter::once("gpu-vpl".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }

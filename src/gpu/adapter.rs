@@ -13,7 +13,7 @@ pub enum AdapterChoice {
 }
 
 /// An adapter, in words.
-#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, serde::Serialize)]
 pub struct AdapterInfo {
     /// Its name.
     pub name: String,

@@ -63,6 +63,9 @@ pub enum GpuError {
         /// How long we waited.
         seconds: u64,
     },
+    /// The user asked to stop.
+    #[error("interrupted")]
+    Interrupted,
     /// A driver that bounds the rounds of a shader's loops left one before its end.
     #[error(
         "the driver cuts the loop of a single shadow ray short: the scene is too large for it; try another --adapter"

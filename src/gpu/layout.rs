@@ -93,12 +93,12 @@ pub struct VplRecord {
 pub struct PointLightRecord {
     /// Where it is.
     pub position: [f32; 3],
-    /// Unused.
-    pub pad0: f32,
+    /// The probability of all point lights before this one.
+    pub before: f32,
     /// Radiant intensity, the same in all directions.
     pub intensity: [f32; 3],
-    /// Unused.
-    pub pad1: f32,
+    /// The probability of this light among the point lights.
+    pub probability: f32,
 }
 
 /// An emitting triangle, 80 bytes.
@@ -157,7 +157,7 @@ pub struct CameraParams {
     pub nodes: u32,
     /// The first ray of an edge in this dispatch.
     pub first_ray: u32,
-    /// Rays of an edge in this dispatch.
+    /// Rays of an edge in this dispatch; of paths, samples of a pixel.
     pub rays: u32,
     /// Rays of an edge for this sample.
     pub edge_rays: u32,
@@ -275,4 +275,51 @@ pub struct ShadeParams {
     pub first_point: u32,
     /// Unused.
     pub pad: [u32; 2],
+}
+
+/// What a path from the camera carries, 16 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PathRecord {
+    /// What its vertex reflects of the light that is sought next, the vertex itself left out.
+    pub throughput: [f32; 3],
+    /// Seed of its pixel's random numbers.
+    pub stream: u32,
+}
+
+/// The samples of a pixel, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PathSum {
+    /// Mean radiance.
+    pub mean: [f32; 3],
+    /// Shadow rays of all samples.
+    pub shadow_rays: f32,
+    /// Sum of the squared deviations from the mean.
+    pub squares: [f32; 3],
+    /// Unused.
+    pub pad: f32,
+}
+
+/// Parameters of the passes of paths.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PathParams {
+    /// Paths in the queue; pixels when they are summed.
+    pub paths: u32,
+    /// How many bounces the paths have behind them.
+    pub bounce: u32,
+    /// The first sample of each pixel.
+    pub first_sample: u32,
+    /// Samples of each pixel.
+    pub samples: u32,
+    /// Lights in the buffer.
+    pub lights: u32,
+    /// Number of BVH nodes.
+    pub nodes: u32,
+    /// Distance by which rays are kept off surfaces.
+    pub offset: f32,
+    /// Density of the places drawn on an area light over its mean radiance and its sides; 0 if
+    /// emission that the next segment finds does not count.
+    pub light_density: f32,
 }

@@ -1,5 +1,6 @@
 //! Passes as data: which kernel, with which buffers, over how many workgroups.
 
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use super::{Gpu, GpuError, Kernel};
@@ -24,8 +25,11 @@ impl Gpu {
     /// wall clock. The device's own clock is read by [`Gpu::take_pass_times`].
     ///
     /// # Errors
-    /// The device fails, runs out of memory, or does not finish in time.
+    /// The device fails, runs out of memory, does not finish in time, or the user interrupts.
     pub fn run(&self, passes: &[Pass<'_>]) -> Result<Duration, GpuError> {
+        if self.interrupt.load(Ordering::Relaxed) {
+            return Err(GpuError::Interrupted);
+        }
         let doing = passes.iter().map(|p| p.kernel.label).collect::<Vec<_>>().join(", ");
         let start = Instant::now();
         self.checked(&doing, || {

@@ -1,12 +1,12 @@
 //! All there is to say about how two images differ.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::{Flip, Metrics, flip};
 use crate::image::Image;
 
 /// How an image differs from a reference.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// The errors in linear light, over the pixels kept.
     #[serde(flatten)]

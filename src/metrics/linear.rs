@@ -2,7 +2,7 @@
 //! x is a value of the image, r the reference's, and mean() goes over the pixels compared and
 //! their channels.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::image::Image;
 
@@ -10,7 +10,7 @@ use crate::image::Image;
 const TILE: usize = 16;
 
 /// The distance of an image from a reference.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Metrics {
     /// √mean((x − r)²).
     pub rmse: f64,

@@ -1,15 +1,17 @@
 //! Which shader files make which kernel, and which kernels a scene needs.
 
+pub mod path;
+
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
-    ANTIALIAS, BITS, CAMERA, COLLECT, COMBINE, DIRECT, DIRECT_AREA, DIRECT_POINT, EMIT,
-    EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER, INTERLEAVED, ONE_SURFACE, PACKET_RAYS,
-    PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, RAY, REFLECT, REMOVED, ROW_CLUSTER,
-    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO,
-    SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES,
-    VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT, DIRECT_AREA,
+    DIRECT_POINT, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER, HIT_POINT, INTERLEAVED,
+    ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, POINT_LIGHT, RAY,
+    REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE,
+    SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED,
+    TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -30,19 +32,20 @@ pub fn antialias(subgroups: bool) -> Program {
 }
 
 fn camera_rays(subgroups: bool, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(subgroups), &CAMERA];
+    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(subgroups), &CAMERA, &HIT_POINT];
     [&first[..], last].concat()
 }
 
 /// Direct light from point lights.
 pub fn direct_point(subgroups: bool) -> Program {
-    let modules = vec![&TYPES, &RAY, traverse(subgroups), &DIRECT, &DIRECT_POINT];
+    let modules = vec![&TYPES, &RAY, traverse(subgroups), &DIRECT, &POINT_LIGHT, &DIRECT_POINT];
     Program { label: "direct light, points", modules }
 }
 
 /// Direct light from emitting triangles.
 pub fn direct_area(subgroups: bool) -> Program {
-    let modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &DIRECT, &DIRECT_AREA];
+    let mut modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &DIRECT];
+    modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, &DIRECT_AREA]);
     Program { label: "direct light, areas", modules }
 }
 
@@ -193,6 +196,9 @@ pub fn show(method: Method) -> Option<Program> {
 
 /// The programs that a scene and settings need: the one list of what is linked.
 fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
+    if settings.method == Method::Path {
+        return path::needed(prepared, settings);
+    }
     let subgroups = prepared.gpu.has_subgroups();
     let mut programs = vec![visible_points(subgroups)];
     programs.extend(show(settings.method));
@@ -298,5 +304,6 @@ pub fn all_programs() -> Vec<Program> {
         }
     }
     programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));
+    programs.extend(path::all());
     programs
 }

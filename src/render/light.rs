@@ -63,7 +63,7 @@ impl Lights {
             })
             .collect();
         let mut sum = 0.0;
-        let point_power = scene
+        let point_power: Vec<f64> = scene
             .point_lights
             .iter()
             .map(|light| {
@@ -71,17 +71,29 @@ impl Lights {
                 sum
             })
             .collect();
+        let mut before = 0.0;
         let point = scene
             .point_lights
             .iter()
-            .map(|light| PointLightRecord {
-                position: light.position.to_array(),
-                pad0: 0.0,
-                intensity: light.intensity.to_array(),
-                pad1: 0.0,
+            .zip(&point_power)
+            .map(|(light, &up_to)| {
+                let record = PointLightRecord {
+                    position: light.position.to_array(),
+                    before: (before / sum) as f32,
+                    intensity: light.intensity.to_array(),
+                    probability: ((up_to - before) / sum) as f32,
+                };
+                before = up_to;
+                record
             })
             .collect();
         Self { area, point, area_power, point_power }
+    }
+
+    /// The probability density, by area, of a place on an area light, over the mean of its radiance
+    /// and the number of its sides; 0 without area lights.
+    pub fn area_density(&self) -> f32 {
+        if self.area.is_empty() { 0.0 } else { (f64::from(PI) / self.area_power) as f32 }
     }
 
     /// The area light whose interval of probability holds `u`, and where in it.

@@ -14,6 +14,8 @@ pub enum Method {
     /// Clusters of both.
     #[default]
     Both,
+    /// All light, by paths from the camera: the reference for the others.
+    Path,
     /// Emission and direct light.
     Direct,
     /// The geometric normal that faces the camera, in world space.
@@ -38,6 +40,7 @@ impl Method {
             Self::Vplc => "vplc",
             Self::Vpc => "vpc",
             Self::Both => "both",
+            Self::Path => "path",
             Self::Direct => "direct",
             Self::Normal => "normal",
             Self::Depth => "depth",
@@ -50,7 +53,8 @@ impl Method {
 
     /// Whether light is computed at all.
     pub fn is_lit(self) -> bool {
-        self.is_indirect() || matches!(self, Self::Direct | Self::VplMap | Self::VplClustersMap)
+        self.is_indirect()
+            || matches!(self, Self::Path | Self::Direct | Self::VplMap | Self::VplClustersMap)
     }
 
     /// Whether light paths are traced.
@@ -119,7 +123,7 @@ pub struct Settings {
     /// Direct light.
     pub direct: Direct,
     /// Shadow rays to area lights from each visible point; `None` chooses so that a pixel
-    /// gets 16 over all its samples. With clusters, from each cluster: 256.
+    /// gets 16 over all its samples. With clusters, from each cluster: 256. Paths have one.
     pub light_samples: Option<u32>,
     /// Bound on G.
     pub clamp: Clamp,
@@ -265,7 +269,7 @@ impl Settings {
             direct: Direct::PerPixel,
             light_samples: None,
             clamp: Clamp::Auto,
-            samples: 1,
+            samples: if method == Method::Path { 16 } else { 1 },
             edge_samples: 16,
             clustering: Clustering::default(),
             interleave: if method.clusters_points() { 4 } else { 1 },
@@ -289,7 +293,8 @@ impl Settings {
 
     /// Whether edges are antialiased by more camera rays than the samples.
     pub fn antialiases(&self) -> bool {
-        self.method.is_lit() && self.edge_samples > self.samples
+        let few = self.edge_samples > self.samples;
+        self.method.is_lit() && self.method != Method::Path && few
     }
 
     /// Whether the visibility of visible points is probed.

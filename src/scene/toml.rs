@@ -1,7 +1,7 @@
 //! The scene file. Every fault is reported with the line of the key or table at fault.
 
 mod camera;
-mod document;
+
 mod light;
 mod material;
 mod mesh;
@@ -9,9 +9,9 @@ mod mesh;
 use std::collections::HashMap;
 use std::path::Path;
 
+use super::document::Document;
 use super::{Draft, Scene, obj::read_text};
 use crate::error::SceneError;
-use document::Document;
 
 /// Loads a scene file.
 pub fn load(path: &Path) -> Result<Scene, SceneError> {

@@ -2,16 +2,15 @@
 
 use std::io::{self, Write};
 
-use super::{Published, Row};
+use super::results::{Errors, Results, Row, Spread};
 use crate::report::BounceLimit;
 
 /// A column: its name, and a row's value, empty where there is none.
 type Column = (&'static str, fn(&Row) -> String);
 
-/// Seconds are of warm frames; `thesis_` ones the thesis's; errors against `vpl` with the same
-/// VPLs and clamp.
-const COLUMNS: [Column; 37] = [
-    ("experiment", |row| row.experiment.to_owned()),
+/// Seconds are of warm frames, and the thesis's own begin with `thesis_`.
+const COLUMNS: [Column; 38] = [
+    ("experiment", |row| row.experiment.clone()),
     ("setting", |row| row.setting.clone()),
     ("method", |row| row.method.to_owned()),
     ("light_paths", |row| row.light_paths.to_string()),
@@ -19,58 +18,97 @@ const COLUMNS: [Column; 37] = [
         BounceLimit::Finite(bounces) => bounces.to_string(),
         BounceLimit::Named(name) => name.to_owned(),
     }),
+    ("samples", |row| row.samples.to_string()),
     ("wanted_point_clusters", |row| maybe(row.wanted_point_clusters)),
     ("wanted_vpl_clusters", |row| maybe(row.wanted_vpl_clusters)),
     ("options", |row| row.options.clone()),
+    ("seeds", |row| row.seeds.to_string()),
     ("vpls", |row| row.vpls.to_string()),
     ("point_clusters", |row| maybe(row.point_clusters)),
     ("vpl_clusters", |row| maybe(row.vpl_clusters)),
     ("shadow_rays", |row| row.shadow_rays.to_string()),
     ("shading_terms", |row| row.shading_terms.to_string()),
-    ("preprocess", |row| row.times.preprocess.to_string()),
-    ("render", |row| row.times.render.to_string()),
-    ("total", |row| row.times.seconds.to_string()),
-    ("frames", |row| row.frames.to_string()),
-    ("slowest_total", |row| row.slowest.to_string()),
-    ("visible_points", |row| row.times.phases.visible_points.to_string()),
-    ("direct", |row| row.times.phases.direct.to_string()),
-    ("generate_vpls", |row| row.times.phases.vpls.to_string()),
-    ("cluster_points", |row| row.times.phases.cluster_points.to_string()),
-    ("cluster_vpls", |row| row.times.phases.cluster_vpls.to_string()),
-    ("visibility", |row| row.times.phases.visibility.to_string()),
-    ("shading", |row| row.times.phases.shading.to_string()),
-    ("readback", |row| row.times.phases.readback.to_string()),
+    ("clamp", |row| maybe(row.clamp)),
+    ("clamped_fraction", |row| row.clamped_fraction.to_string()),
+    ("seconds", |row| row.seconds.mean.to_string()),
+    ("seconds_sd", |row| maybe(row.seconds.sd)),
+    ("preprocess", |row| row.preprocess.mean.to_string()),
+    ("render", |row| row.render.mean.to_string()),
+    ("visible_points", |row| row.phases.visible_points.to_string()),
+    ("direct", |row| row.phases.direct.to_string()),
+    ("generate_vpls", |row| row.phases.vpls.to_string()),
+    ("cluster_points", |row| row.phases.cluster_points.to_string()),
+    ("cluster_vpls", |row| row.phases.cluster_vpls.to_string()),
+    ("visibility", |row| row.phases.visibility.to_string()),
+    ("shading", |row| row.phases.shading.to_string()),
+    ("readback", |row| row.phases.readback.to_string()),
     ("speedup", |row| maybe(row.speedup)),
-    ("thesis_preprocess", |row| thesis(row, |thesis| thesis.preprocess)),
-    ("thesis_render", |row| thesis(row, |thesis| thesis.render)),
-    ("thesis_total", |row| thesis(row, |thesis| Some(thesis.total))),
-    ("thesis_speedup", |row| thesis(row, |thesis| thesis.speedup)),
-    ("thesis_total_over_total", |row| thesis(row, |thesis| Some(thesis.total / row.times.seconds))),
-    ("rmse", |row| maybe(row.error.map(|error| error.rmse))),
-    ("nrmse", |row| maybe(row.error.map(|error| error.nrmse))),
-    ("bias", |row| maybe(row.error.map(|error| error.bias))),
-    ("relmse", |row| maybe(row.error.map(|error| error.relmse))),
-    ("max_abs", |row| maybe(row.error.map(|error| error.max_abs))),
+    ("efficiency", |row| maybe(row.efficiency)),
+    ("reference", |row| row.reference.clone().unwrap_or_default()),
+    ("pareto", |row| row.pareto.iter().map(|metric| metric.name()).collect::<Vec<_>>().join("; ")),
+    ("thesis_preprocess", |row| maybe(row.thesis.and_then(|thesis| thesis.preprocess))),
+    ("thesis_render", |row| maybe(row.thesis.and_then(|thesis| thesis.render))),
+    ("thesis_total", |row| maybe(row.thesis.map(|thesis| thesis.total))),
+    ("thesis_speedup", |row| maybe(row.thesis.and_then(|thesis| thesis.speedup))),
+    ("command", |row| row.command.clone()),
 ];
 
-/// Writes all rows.
+/// An error's column, and its value: two columns each, with and without the standard deviation.
+type ErrorColumn = (&'static str, fn(&Errors) -> Option<Spread>);
+
+/// Twice: of the total error, and, with `clustering_` before them, of that of clustering.
+const ERRORS: [ErrorColumn; 8] = [
+    ("rmse", |errors| Some(errors.rmse)),
+    ("mae", |errors| Some(errors.mae)),
+    ("bias", |errors| Some(errors.bias)),
+    ("nrmse", |errors| Some(errors.nrmse)),
+    ("relmse", |errors| Some(errors.relmse)),
+    ("tile_nrmse", |errors| errors.tile_nrmse),
+    ("flip", |errors| Some(errors.flip)),
+    ("max_abs", |errors| Some(errors.max_abs)),
+];
+
+/// Writes all rows of all scenes.
 ///
 /// # Errors
 /// The sink fails.
-pub fn write(out: &mut (impl Write + ?Sized), rows: &[Row]) -> io::Result<()> {
-    writeln!(out, "{}", COLUMNS.map(|(name, _)| name).join(","))?;
-    for row in rows {
-        writeln!(out, "{}", COLUMNS.map(|(_, value)| field(&value(row))).join(","))?;
+pub fn write(out: &mut (impl Write + ?Sized), results: &Results) -> io::Result<()> {
+    let mut header = vec!["scene".to_owned()];
+    header.extend(COLUMNS.map(|(name, _)| name.to_owned()));
+    for prefix in ["", "clustering_"] {
+        header.extend(
+            ERRORS
+                .iter()
+                .flat_map(|(name, _)| [format!("{prefix}{name}"), format!("{prefix}{name}_sd")]),
+        );
+        header.push(format!("{prefix}nonfinite"));
+    }
+    writeln!(out, "{}", header.join(","))?;
+    for scene in &results.scenes {
+        for row in &scene.rows {
+            let mut fields = vec![field(&scene.scene)];
+            fields.extend(COLUMNS.map(|(_, value)| field(&value(row))));
+            fields.extend(errors(row.total.as_ref()));
+            fields.extend(errors(row.clustering.as_ref()));
+            writeln!(out, "{}", fields.join(","))?;
+        }
     }
     Ok(())
 }
 
-fn maybe(value: Option<impl ToString>) -> String {
-    value.map(|value| value.to_string()).unwrap_or_default()
+fn errors(errors: Option<&Errors>) -> Vec<String> {
+    let mut fields = Vec::new();
+    for (_, value) in ERRORS {
+        let spread = errors.and_then(value);
+        fields.push(maybe(spread.map(|spread| spread.mean)));
+        fields.push(maybe(spread.and_then(|spread| spread.sd)));
+    }
+    fields.push(maybe(errors.map(|errors| errors.nonfinite)));
+    fields
 }
 
-fn thesis(row: &Row, value: impl Fn(&Published) -> Option<f64>) -> String {
-    maybe(row.thesis.as_ref().and_then(value))
+fn maybe(value: Option<impl ToString>) -> String {
+    value.map(|value| value.to_string()).unwrap_or_default()
 }
 
 /// Quoted where it has to be.

@@ -1,110 +1,173 @@
-//! Results for people: a table an experiment, then the claims.
+//! Results for people: for each scene a table an experiment, then what was fitted; then the
+//! claims.
 
 use std::io::{self, Write};
 
+use super::Claim;
 use super::claims::Criterion;
-use super::{Claim, Experiment, Results, Row};
+use super::results::{Against, Curve, Metric, Results, Row, SceneResults, Spread};
 
 /// A column: its heading, and a row's value.
 type Column = (&'static str, fn(&Row) -> String);
 
 const NOTHING: &str = "–";
 
+/// The start of every table.
+const SETTING: [Column; 2] =
+    [("setting", |row| row.setting.clone()), ("VPLs", |row| row.vpls.to_string())];
+
+/// What stands in tables of no clusters as well.
+const COSTS: [Column; 4] = [
+    ("shadow rays", |row| row.shadow_rays.to_string()),
+    ("pT", |row| spread(row.preprocess, seconds)),
+    ("rT", |row| spread(row.render, seconds)),
+    ("tT", |row| spread(row.seconds, seconds)),
+];
+
 /// Beside what the thesis measured.
-const PUBLISHED: [Column; 14] = [
-    ("setting", |row| row.setting.clone()),
-    ("VPLs", |row| row.vpls.to_string()),
+const PUBLISHED: [Column; 11] = [
     ("C", |row| count(row.point_clusters)),
     ("K_v", |row| count(row.vpl_clusters)),
-    ("pT", |row| seconds(row.times.preprocess)),
-    ("rT", |row| seconds(row.times.render)),
-    ("tT", |row| seconds(row.times.seconds)),
+    ("pT", |row| seconds(row.preprocess.mean)),
+    ("rT", |row| seconds(row.render.mean)),
+    ("tT", |row| seconds(row.seconds.mean)),
     ("thesis pT", |row| maybe(row.thesis.and_then(|thesis| thesis.preprocess), seconds)),
     ("thesis rT", |row| maybe(row.thesis.and_then(|thesis| thesis.render), seconds)),
     ("thesis tT", |row| maybe(row.thesis.map(|thesis| thesis.total), seconds)),
     ("thesis tT / ours", |row| {
-        maybe(row.thesis.map(|thesis| thesis.total / row.times.seconds), factor)
+        maybe(row.thesis.map(|thesis| thesis.total / row.seconds.mean), factor)
     }),
     ("over `vpl`", |row| maybe(row.speedup, factor)),
     ("thesis over `vpl`", |row| maybe(row.thesis.and_then(|thesis| thesis.speedup), factor)),
-    ("nRMSE", |row| maybe(row.error.map(|error| error.nrmse), percent)),
 ];
 
-/// What the thesis has no seconds for.
-const PHASES: [Column; 9] = [
-    ("setting", |row| row.setting.clone()),
-    ("VPLs", |row| row.vpls.to_string()),
-    ("K-means of points", |row| seconds(row.times.phases.cluster_points)),
-    ("K-means of VPLs", |row| seconds(row.times.phases.cluster_vpls)),
-    ("visibility", |row| seconds(row.times.phases.visibility)),
-    ("shading", |row| seconds(row.times.phases.shading)),
-    ("rT", |row| seconds(row.times.render)),
-    ("tT", |row| seconds(row.times.seconds)),
-    ("nRMSE", |row| maybe(row.error.map(|error| error.nrmse), percent)),
-];
-
-/// The end of every table.
-const ERRORS: [Column; 2] = [
-    ("relMSE", |row| maybe(row.error.map(|error| error.relmse), |value| format!("{value:.2e}"))),
-    ("bias", |row| {
-        maybe(row.error.map(|error| error.bias), |value| format!("{:.3} %", 100.0 * value))
+/// The total error.
+const TOTAL: [Column; 6] = [
+    ("relMSE", |row| maybe(row.total.map(|error| error.relmse), |value| spread(value, small))),
+    ("tile nRMSE", |row| {
+        maybe(row.total.and_then(|error| error.tile_nrmse), |value| spread(value, small))
     }),
+    ("ꟻLIP", |row| maybe(row.total.map(|error| error.flip), |value| spread(value, small))),
+    ("bias", |row| maybe(row.total.map(|error| error.bias.mean), signed)),
+    ("1 / (MSE · s)", |row| maybe(row.efficiency, |value| format!("{value:.3e}"))),
+    ("front", |row| if row.pareto.contains(&Metric::Relmse) { "●" } else { "" }.to_owned()),
 ];
 
-/// Writes the results of these experiments.
+/// The error of clustering.
+const CLUSTERING: [Column; 2] = [
+    ("clustering nRMSE", |row| maybe(row.clustering.map(|error| error.nrmse.mean), percent)),
+    ("clustering bias", |row| maybe(row.clustering.map(|error| error.bias.mean), signed)),
+];
+
+/// Writes the results.
 ///
 /// # Errors
 /// The sink fails.
-pub fn write(
-    out: &mut (impl Write + ?Sized),
-    experiments: &[Experiment],
-    results: &Results,
-) -> io::Result<()> {
+pub fn write(out: &mut (impl Write + ?Sized), results: &Results) -> io::Result<()> {
     head(out, results)?;
-    for experiment in experiments {
-        let rows = || results.rows.iter().filter(|row| row.experiment == experiment.name);
-        writeln!(out, "\n## {}. {}\n", experiment.name, experiment.title)?;
-        let published = rows().any(|row| row.thesis.is_some());
-        let columns = if published { &PUBLISHED[..] } else { &PHASES[..] };
-        table(out, &[columns, &ERRORS].concat(), rows())?;
+    for scene in &results.scenes {
+        write_scene(out, scene)?;
     }
-    writeln!(out, "\n## Claims\n")?;
-    writeln!(out, "| claim | verdict | number | confirms | remark |")?;
-    writeln!(out, "| --- | --- | --- | --- | --- |")?;
-    for claim in &results.claims {
-        claim_row(out, claim)?;
+    if !results.claims.is_empty() {
+        writeln!(out, "\n## Claims\n")?;
+        writeln!(out, "| claim | verdict | number | confirms | remark |")?;
+        writeln!(out, "| --- | --- | --- | --- | --- |")?;
+        for claim in &results.claims {
+            claim_row(out, claim)?;
+        }
     }
     Ok(())
 }
 
 fn head(out: &mut (impl Write + ?Sized), results: &Results) -> io::Result<()> {
-    let Results { version, preset, scene, adapter, threads, seed, width, height, .. } = results;
-    writeln!(out, "# Study: {preset}\n")?;
+    let Results { version, name, command, adapter, threads, seeds, planned, finished, .. } =
+        results;
+    writeln!(out, "# Study: {name}\n\n    {command}\n")?;
+    if finished < planned {
+        writeln!(out, "**Interrupted: {finished} of {planned} frames are measured.**\n")?;
+    }
     writeln!(
         out,
-        "gpu-vpl {version}, {scene}, {width} × {height}, {} sample a pixel, seed {seed}; \
-         {} ({}, {}), {threads} host threads.\n",
-        results.samples, adapter.name, adapter.backend, adapter.driver
+        "gpu-vpl {version}; {} ({}, {}), {threads} host threads; {} from {}.\n",
+        adapter.name,
+        adapter.backend,
+        adapter.driver,
+        plural(seeds.len(), "seed"),
+        seeds.first().copied().unwrap_or_default(),
     )?;
     writeln!(
         out,
-        "Seconds by the wall clock, of one warm frame, of `vpl` the faster of two: pT generates VPLs and clusters, rT \
-         is visibility and shading, tT here the whole frame (visible points, direct light and \
-         read-back included; the thesis's is pT + rT, on a machine it does not name). \"Over \
-         `vpl`\" is how many times faster tT is than without clustering, on the same machine. \
-         Settings that stand in several tables were measured once. Paths end by Russian \
-         roulette, so paths × bounces is the most VPLs there can be. The errors of clustering \
-         are those of the whole image, direct light included, against `vpl` with the same VPLs \
-         and the same clamp; direct light is computed at each pixel, where the thesis shares \
-         its visibility in a cluster as well."
+        "Means over the seeds, ± the standard deviation of one. Seconds by the wall clock, of warm \
+         frames: pT generates VPLs and clusters, rT is visibility and shading, tT the whole frame \
+         (visible points, direct light and read-back included). The total error is against the \
+         reference, whose own noise is in it; the mean of tile nRMSE is the root of the mean of \
+         squares. The error of clustering is against `vpl` with the same VPLs, clamp and \
+         interleaving; \"over `vpl`\" is how many times faster tT is than that frame's. 1 / (MSE · s) \
+         is without the reference's variance. Rows marked ● are on the front of relMSE over \
+         seconds: none is both faster and better."
     )
 }
 
-fn table<'a>(
-    out: &mut (impl Write + ?Sized),
-    columns: &[Column],
-    rows: impl Iterator<Item = &'a Row>,
-) -> io::Result<()> {
+fn write_scene(out: &mut (impl Write + ?Sized), scene: &SceneResults) -> io::Result<()> {
+    let SceneResults { scene: name, width, height, triangles, .. } = scene;
+    writeln!(out, "\n## {name}\n\n{width} × {height} pixels, {triangles} triangles.")?;
+    if let Some(level) = scene.mask_above {
+        writeln!(out, "Pixels within 2 of any above {level} in the reference are left out.")?;
+    }
+    for reference in &scene.references {
+        write!(out, "\nReference: {}", reference.label)?;
+        if let Some(noise) = reference.noise {
+            let tiles = maybe(noise.tile_nrmse, small);
+            let relmse = small(noise.relmse);
+            write!(out, "; its own noise: relMSE {relmse}, tile nRMSE {tiles}")?;
+        }
+        writeln!(out)?;
+        for warning in &reference.warnings {
+            writeln!(out, "\n**Warning: {warning}.**")?;
+        }
+    }
+    for curve in &scene.experiments {
+        let rows: Vec<_> = scene.rows_of(curve).collect();
+        if rows.is_empty() {
+            continue;
+        }
+        writeln!(out, "\n### {}. {}\n", curve.name, curve.title)?;
+        table(out, &columns(&rows), &rows)?;
+        for line in fits(curve) {
+            writeln!(out, "\n{line}")?;
+        }
+    }
+    Ok(())
+}
+
+fn columns(rows: &[&Row]) -> Vec<Column> {
+    let mut columns = SETTING.to_vec();
+    match rows.iter().any(|row| row.thesis.is_some()) {
+        true => columns.extend(PUBLISHED),
+        false => columns.extend(COSTS),
+    }
+    if rows.iter().any(|row| row.clustering.is_some()) {
+        columns.extend(CLUSTERING);
+    }
+    columns.extend(TOTAL);
+    columns
+}
+
+/// What was fitted to the curve's total error, in words.
+fn fits(curve: &Curve) -> impl Iterator<Item = String> {
+    let shown = [Metric::Relmse, Metric::Rmse];
+    let fits = curve.fits.iter();
+    let fits = fits.filter(move |fit| shown.contains(&fit.metric) && fit.against == Against::Total);
+    fits.map(|fit| {
+        let floor = match fit.floor {
+            Some(floor) => format!("above a floor of {}", small(floor)),
+            None => "and no floor in sight".to_owned(),
+        };
+        format!("{} falls as seconds to the power of {:.2}, {floor}.", fit.metric.name(), fit.slope)
+    })
+}
+
+fn table(out: &mut (impl Write + ?Sized), columns: &[Column], rows: &[&Row]) -> io::Result<()> {
     let names: Vec<_> = columns.iter().map(|column| column.0).collect();
     writeln!(out, "| {} |", names.join(" | "))?;
     writeln!(out, "| ---{} |", " | ---:".repeat(columns.len() - 1))?;
@@ -131,12 +194,23 @@ fn claim_row(out: &mut (impl Write + ?Sized), claim: &Claim) -> io::Result<()> {
     writeln!(out, "| {} | **{verdict}** | {numbers} | {ranges} | {} |", claim.claim, claim.remark)
 }
 
-fn maybe(value: Option<f64>, show: fn(f64) -> String) -> String {
+fn maybe<T>(value: Option<T>, show: impl Fn(T) -> String) -> String {
     value.map_or(NOTHING.to_owned(), show)
 }
 
+fn spread(value: Spread, show: fn(f64) -> String) -> String {
+    match value.sd {
+        Some(sd) => format!("{} ± {}", show(value.mean), show(sd)),
+        None => show(value.mean),
+    }
+}
+
 fn count(value: Option<u64>) -> String {
-    value.map_or(NOTHING.to_owned(), |value| value.to_string())
+    maybe(value, |value| value.to_string())
+}
+
+fn plural(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 fn seconds(value: f64) -> String {
@@ -149,4 +223,33 @@ fn factor(value: f64) -> String {
 
 fn percent(value: f64) -> String {
     format!("{:.2} %", 100.0 * value)
+}
+
+fn signed(value: f64) -> String {
+    format!("{:+.3} %", 100.0 * value)
+}
+
+/// Three digits that count.
+fn small(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let digits = (2.0 - value.abs().log10().floor()).clamp(0.0, 9.0);
+    format!("{value:.0$}", digits as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_three_digits() {
+        assert_eq!(small(0.00123456), "0.00123");
+        assert_eq!(small(0.5), "0.500");
+        assert_eq!(small(123.4), "123");
+        assert_eq!(small(0.0), "0");
+        let value = Spread { mean: 0.1, sd: Some(0.02) };
+        assert_eq!(spread(value, seconds), "0.100 ± 0.020");
+        assert_eq!(plural(1, "seed"), "1 seed");
+    }
 }

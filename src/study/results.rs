@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Claim, Published};
+use super::Claim;
 use crate::gpu::AdapterInfo;
 use crate::report::{BounceLimit, FramePhases};
 
@@ -268,7 +268,26 @@ impl Against {
 
 impl SceneResults {
     /// The rows of a curve.
-    pub fn rows_of(&self, curve: &Curve) -> impl Iterator<Item = &Row> {
+    pub fn rows_of<'a>(&'a self, curve: &'a Curve) -> impl Iterator<Item = &'a Row> {
         self.rows.iter().filter(move |row| row.experiment == curve.name)
     }
+
+    /// The noise of the reference that a row is compared with.
+    pub fn noise_of(&self, row: &Row) -> Option<&Noise> {
+        let id = row.reference.as_ref()?;
+        self.references.iter().find(|reference| reference.id == *id)?.noise.as_ref()
+    }
+}
+
+/// Seconds that the thesis publishes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Published {
+    /// pT, where it is given.
+    pub preprocess: Option<f64>,
+    /// rT, where it is given.
+    pub render: Option<f64>,
+    /// tT.
+    pub total: f64,
+    /// How many times faster than its unclustered frame of the same VPLs, for clustered ones.
+    pub speedup: Option<f64>,
 }

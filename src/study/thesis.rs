@@ -1,14 +1,18 @@
 //! The thesis's experiments, and its seconds.
 
 use super::claims::{self, Claim};
-use super::{Experiment, Published, Row, Run};
+use super::results::{Published, Row};
+use super::{Experiment, Plan, ReferencePlan, Run};
 use crate::render::{Bounces, Clustering, Merge, Method, Representative, Settings};
 
+/// The preset's name.
+pub const NAME: &str = "thesis";
+
 /// The scene that all of it is measured on.
-pub const SCENE: &str = "builtin:cornell-point";
+const SCENE: &str = "builtin:cornell-point";
 
 /// Width and height of the thesis's pictures.
-pub const SIZE: [u32; 2] = [512, 512];
+const SIZE: [u32; 2] = [512, 512];
 
 /// tT of the unclustered frame of 2000 paths and 2 bounces, which is the thesis's reference.
 const REFERENCE_SECONDS: f64 = 183.1;
@@ -29,10 +33,27 @@ pub const ITERATIONS: &str = "iterations";
 pub const STRIDE: &str = "stride";
 /// Claim: VPL clusters look like VPLs.
 pub const CLUSTERS: &str = "clusters";
+/// Claim: VPLs beat path tracing.
+pub const PATH: &str = "path";
+
+/// The thesis's study.
+pub fn plan() -> Plan {
+    Plan {
+        name: NAME.to_owned(),
+        scenes: vec![SCENE.to_owned()],
+        size: Some(SIZE),
+        seeds: vec![0],
+        frames: 2,
+        reference: ReferencePlan::Path { samples: 256 },
+        clustering_seeds: usize::MAX,
+        mask_above: None,
+        experiments: experiments(),
+    }
+}
 
 /// The tables first, then what the claims need beside them.
-pub fn experiments() -> Vec<Experiment> {
-    vec![vpl(), vplc(), vpc(), both(), linear(), iterations(), stride(), clusters()]
+fn experiments() -> Vec<Experiment> {
+    vec![vpl(), vplc(), vpc(), both(), linear(), iterations(), stride(), clusters(), path()]
 }
 
 /// What the rows say of the thesis's claims.
@@ -48,8 +69,8 @@ fn vpl() -> Experiment {
         thesis: Some(thesis),
     };
     Experiment {
-        name: TABLE_VPL,
-        title: "`vpl`: light paths × bounces",
+        name: TABLE_VPL.to_owned(),
+        title: "`vpl`: light paths × bounces".to_owned(),
         runs: vec![
             run(500, 2, seconds(45.7)),
             run(1000, 1, seconds(44.74)),
@@ -66,8 +87,8 @@ fn vplc() -> Experiment {
         thesis: Some(published(preprocess, render, total)),
     };
     Experiment {
-        name: TABLE_VPLC,
-        title: "`vplc`: 2000 × 2, VPL clusters, 2 iterations",
+        name: TABLE_VPLC.to_owned(),
+        title: "`vplc`: 2000 × 2, VPL clusters, 2 iterations".to_owned(),
         runs: [
             (2000, 0.049, 91.649, 91.698),
             (1300, 0.042, 64.931, 64.973),
@@ -88,8 +109,8 @@ fn vpc() -> Experiment {
         thesis: Some(published(preprocess, render, total)),
     };
     Experiment {
-        name: TABLE_VPC,
-        title: "`vpc`: 2000 × 2, point clusters, 4 iterations",
+        name: TABLE_VPC.to_owned(),
+        title: "`vpc`: 2000 × 2, point clusters, 4 iterations".to_owned(),
         runs: [
             (100, 1.937, 49.481, 51.418),
             (500, 9.559, 51.748, 61.307),
@@ -106,8 +127,8 @@ fn vpc() -> Experiment {
 fn both() -> Experiment {
     let clustering = Clustering { points: 2600, vpls: 400, ..published_options() };
     Experiment {
-        name: TABLE_BOTH,
-        title: "`both`: 2000 × 2, clusters of both",
+        name: TABLE_BOTH.to_owned(),
+        title: "`both`: 2000 × 2, clusters of both".to_owned(),
         runs: vec![Run {
             setting: "C = 2600, K_v = 400".to_owned(),
             settings: Settings { method: Method::Both, clustering, ..unclustered(2000, 2) },
@@ -123,8 +144,8 @@ fn linear() -> Experiment {
         thesis: None,
     };
     Experiment {
-        name: LINEAR,
-        title: "`vpl`: time over the number of VPLs",
+        name: LINEAR.to_owned(),
+        title: "`vpl`: time over the number of VPLs".to_owned(),
         runs: [250, 500, 1000, 2000].map(run).into(),
     }
 }
@@ -136,8 +157,8 @@ fn iterations() -> Experiment {
         thesis: None,
     };
     Experiment {
-        name: ITERATIONS,
-        title: "`vpc`, C = 2600: iterations of K-means",
+        name: ITERATIONS.to_owned(),
+        title: "`vpc`, C = 2600: iterations of K-means".to_owned(),
         runs: (1..=10).map(run).collect(),
     }
 }
@@ -149,8 +170,8 @@ fn stride() -> Experiment {
         thesis: None,
     };
     Experiment {
-        name: STRIDE,
-        title: "`vpc`, C = 2600: all iterations but the last see one point in a stride",
+        name: STRIDE.to_owned(),
+        title: "`vpc`, C = 2600: all iterations but the last see one point in a stride".to_owned(),
         runs: [1, 2, 4, 8].map(run).into(),
     }
 }
@@ -162,9 +183,22 @@ fn clusters() -> Experiment {
         thesis: None,
     };
     Experiment {
-        name: CLUSTERS,
-        title: "`vplc`, K_v = 2000: what stands for a cluster",
+        name: CLUSTERS.to_owned(),
+        title: "`vplc`, K_v = 2000: what stands for a cluster".to_owned(),
         runs: [("mean", Representative::Mean), ("member", Representative::Member)].map(run).into(),
+    }
+}
+
+fn path() -> Experiment {
+    let run = |samples| Run {
+        setting: format!("{samples} samples"),
+        settings: Settings { bounces: Bounces::Finite(2), samples, ..Settings::of(Method::Path) },
+        thesis: None,
+    };
+    Experiment {
+        name: PATH.to_owned(),
+        title: "`path`: a path tracer of 2 bounces".to_owned(),
+        runs: [1, 4, 16, 64].map(run).into(),
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::super::parse;
+use super::aov::Aov;
 use crate::error::Error;
 use crate::render::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
 
@@ -18,8 +19,8 @@ pub struct RenderArgs {
     #[arg(short, long = "output", value_name = "OUT", required = true)]
     pub outputs: Vec<PathBuf>,
 
-    /// What to show: vpl, vplc, vpc, both; direct, normal, depth, albedo; point-clusters,
-    /// vpl-map, vpl-clusters-map
+    /// What to show: vpl, vplc, vpc, both; path, the reference; direct, normal, depth, albedo;
+    /// point-clusters, vpl-map, vpl-clusters-map
     #[arg(long, default_value = "both", value_parser = parse::method)]
     pub method: Method,
 
@@ -49,7 +50,7 @@ pub struct RenderArgs {
     pub direct: Direct,
 
     /// Shadow rays to area lights from each visible point, or cluster [default: 16 a pixel, 256 a
-    /// cluster]
+    /// cluster]; not for path, which has one a vertex
     #[arg(long, allow_negative_numbers = true, value_name = "S",
           value_parser = clap::value_parser!(u32).range(1..=65536))]
     pub light_samples: Option<u32>,
@@ -71,10 +72,10 @@ pub struct RenderArgs {
     #[arg(long, value_name = "EV", value_parser = parse::exposure, allow_hyphen_values = true)]
     pub exposure: Option<f32>,
 
-    /// Samples per pixel; all share one set of VPLs
+    /// Samples per pixel; all share one set of VPLs [default: 16 with path, else 1]
     #[arg(long, allow_negative_numbers = true, visible_alias = "spp", value_name = "S",
-          default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
-    pub samples: u32,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    pub samples: Option<u32>,
 
     /// Camera rays in a pixel where surfaces meet, over all its samples; each takes the light of
     /// the nearest visible point on its surface. 1 is none but the samples
@@ -83,9 +84,10 @@ pub struct RenderArgs {
           value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub edge_samples: u32,
 
-    /// Further images: normal, albedo, depth; layers of an EXR, NAME.normal.png beside a PNG
+    /// Further images: normal, albedo, depth, and of path standard-error, that of each pixel's
+    /// mean; layers of an EXR, NAME.normal.png beside a PNG
     #[arg(long = "aov", value_name = "AOV,...", value_delimiter = ',', value_parser = parse::aov)]
-    pub aovs: Vec<Method>,
+    pub aovs: Vec<Aov>,
 
     /// Frames to render on one prepared scene; the report times each
     #[arg(long, allow_negative_numbers = true, value_name = "N", default_value_t = 1,
@@ -124,7 +126,7 @@ pub struct RenderArgs {
 
 impl RenderArgs {
     /// The AOVs asked for, each once.
-    pub fn aovs(&self) -> Vec<Method> {
+    pub fn aovs(&self) -> Vec<Aov> {
         let mut aovs = self.aovs.clone();
         aovs.sort_by_key(|aov| aov.name());
         aovs.dedup();
@@ -141,11 +143,22 @@ impl RenderArgs {
                 "--direct clustered needs clusters of visible points; give --method vpc or both";
             return Err(Error::Usage(what.to_owned()));
         }
+        let path = self.method == Method::Path;
+        if path && self.light_samples.is_some() {
+            let what = "--light-samples: a path has one shadow ray a vertex; give more --samples";
+            return Err(Error::Usage(what.to_owned()));
+        }
+        let has_error = path && self.settings().samples >= 2;
+        if self.aovs.contains(&Aov::StandardError) && !has_error {
+            let what = "--aov standard-error needs --method path with 2 --samples or more";
+            return Err(Error::Usage(what.to_owned()));
+        }
         self.later.check()
     }
 
     /// What a frame depends on.
     pub fn settings(&self) -> Settings {
+        let defaults = Settings::of(self.method);
         Settings {
             method: self.method,
             light_paths: self.vpls,
@@ -153,10 +166,10 @@ impl RenderArgs {
             direct: self.direct,
             light_samples: self.light_samples,
             clamp: self.clamp,
-            samples: self.samples,
+            samples: self.samples.unwrap_or(defaults.samples),
             edge_samples: self.edge_samples,
             clustering: self.clustering.settings(),
-            interleave: self.interleave.unwrap_or(Settings::of(self.method).interleave),
+            interleave: self.interleave.unwrap_or(defaults.interleave),
         }
     }
 }

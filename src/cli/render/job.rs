@@ -2,9 +2,11 @@
 
 use std::time::Instant;
 
+use super::aov::Aov;
 use crate::cli::console::Progress;
 use crate::gpu::GpuError;
-use crate::render::{self, Frame, Method, Prepared, Settings};
+use crate::image::Image;
+use crate::render::{self, Frame, Prepared, Settings};
 use crate::report::FrameTimes;
 use crate::scene::Camera;
 
@@ -53,12 +55,18 @@ impl Job {
         Ok((first, times))
     }
 
-    /// Renders what the camera sees as data.
+    /// The images beside a frame: what the camera sees as data, or of the frame itself.
     ///
     /// # Errors
     /// The device fails.
-    pub fn aovs(&self, methods: &[Method]) -> Result<Vec<(Method, Frame)>, GpuError> {
-        let frame = |&method| Ok((method, self.frame(&Settings { method, ..self.settings })?));
-        methods.iter().map(frame).collect()
+    pub fn aovs(&self, aovs: &[Aov], frame: &Frame) -> Result<Vec<(Aov, Image)>, GpuError> {
+        let image = |aov: &Aov| match aov {
+            Aov::Of(method) => {
+                let settings = Settings { method: *method, ..self.settings };
+                Some(self.frame(&settings).map(|frame| frame.image))
+            }
+            Aov::StandardError => frame.standard_error.clone().map(Ok),
+        };
+        aovs.iter().filter_map(|aov| Some(image(aov)?.map(|image| (*aov, image)))).collect()
     }
 }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use super::aov::Aov;
 use crate::cli::parse::tone;
 use crate::error::{Error, OutputError};
 use crate::image::exr::{Metadata, Plane, Value};
@@ -39,11 +40,7 @@ impl Outputs {
     ///
     /// # Errors
     /// One cannot be written, two are the same, or standard output gets more than one.
-    pub fn check(
-        names: &[PathBuf],
-        aovs: &[Method],
-        report: Option<&PathBuf>,
-    ) -> Result<Self, Error> {
+    pub fn check(names: &[PathBuf], aovs: &[Aov], report: Option<&PathBuf>) -> Result<Self, Error> {
         let images =
             names.iter().map(|name| ImageFile::check(name, aovs)).collect::<Result<_, _>>()?;
         let report = report.map(|name| Destination::check(name)).transpose()?;
@@ -74,7 +71,7 @@ impl Outputs {
     pub fn stage(
         &self,
         main: Shown<'_>,
-        aovs: &[Shown<'_>],
+        aovs: &[(Aov, Image)],
         exposure: f32,
         metadata: &Metadata,
     ) -> Result<Vec<Staged>, OutputError> {
@@ -82,14 +79,18 @@ impl Outputs {
         for file in &self.images {
             match file.format {
                 Format::Exr => {
-                    let planes: Vec<_> = std::iter::once(plane("", main))
-                        .chain(aovs.iter().map(|aov| plane(aov.method.name(), *aov)))
-                        .collect();
+                    let planes: Vec<_> =
+                        std::iter::once(plane("", main))
+                            .chain(aovs.iter().map(|(aov, image)| {
+                                plane(aov.name(), shown(*aov, main.method, image))
+                            }))
+                            .collect();
                     staged.push(file.destination.stage(|out| exr::write(out, &planes, metadata))?);
                 }
                 Format::Png => {
                     let places = std::iter::once(&file.destination).chain(&file.beside);
-                    for (place, shown) in places.zip(std::iter::once(&main).chain(aovs)) {
+                    let aovs = aovs.iter().map(|(aov, image)| shown(*aov, main.method, image));
+                    for (place, shown) in places.zip(std::iter::once(main).chain(aovs)) {
                         let tone = tone(shown.method, exposure);
                         staged.push(place.stage(|out| png::write(out, shown.image, tone))?);
                     }
@@ -101,7 +102,7 @@ impl Outputs {
 }
 
 impl ImageFile {
-    fn check(name: &Path, aovs: &[Method]) -> Result<Self, Error> {
+    fn check(name: &Path, aovs: &[Aov]) -> Result<Self, Error> {
         let destination = Destination::check(name)?;
         let format = destination.format()?;
         let mut beside = Vec::new();
@@ -118,6 +119,15 @@ impl ImageFile {
         }
         Ok(Self { destination, format, beside })
     }
+}
+
+/// An AOV in the making; a standard error is shown as what it is the error of.
+fn shown(aov: Aov, main: Method, image: &Image) -> Shown<'_> {
+    let method = match aov {
+        Aov::Of(method) => method,
+        Aov::StandardError => main,
+    };
+    Shown { method, image }
 }
 
 /// The channels of an image or AOV in an EXR file. The frame's own are R, G, B whatever it

@@ -74,7 +74,7 @@ mod tests {
     fn frame(vpls: u64, pixel: f32) -> Frame {
         let image = Image { width: 2, height: 1, pixels: vec![[0.0; 3], [0.0, pixel, 0.0]] };
         let counts = Counts { vpls, ..Counts::default() };
-        Frame { image, counts, phases: Phases::default(), passes: Vec::new() }
+        Frame { image, standard_error: None, counts, phases: Phases::default(), passes: Vec::new() }
     }
 
     fn messages(frame: &Frame, settings: &Settings) -> Vec<String> {

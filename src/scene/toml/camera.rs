@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::document::{Section, Value};
 use crate::error::SceneError;
+use crate::scene::document::{Section, Value};
 use crate::scene::{Camera, DraftCamera, FovAxis};
 
 const AXES: [(&str, FovAxis); 4] = [

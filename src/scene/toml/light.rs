@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::document::{Section, Value};
 use crate::error::SceneError;
+use crate::scene::document::{Section, Value};
 use crate::scene::{Draft, DraftMaterial, polygon};
 
 /// Sides of the regular polygon that stands for a disk.

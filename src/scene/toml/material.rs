@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::document::Section;
 use crate::error::SceneError;
 use crate::scene::DraftMaterial;
+use crate::scene::document::Section;
 
 /// Reads a material.
 pub fn read(name: &str, section: &Section) -> Result<DraftMaterial, SceneError> {

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, EulerRot};
 
-use super::document::{Section, Value};
 use crate::error::SceneError;
+use crate::scene::document::{Section, Value};
 use crate::scene::{Draft, obj};
 
 /// Least volume that a transform may make of a unit cube, over that of the box with edges

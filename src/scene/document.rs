@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::error::SceneError;
 use crate::scene::Origin;
+pub use crate::scene::obj::read_text;
 
 /// A TOML file.
 pub struct Document<'a> {
@@ -201,6 +202,25 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// A whole number within bounds.
+    pub fn count(&self, least: u32, most: u32) -> Result<u32, SceneError> {
+        let number = number(self.value).filter(|number| number.fract() == 0.0);
+        let within = number.filter(|number| (f64::from(least)..=f64::from(most)).contains(number));
+        within
+            .map(|number| number as u32)
+            .ok_or_else(|| self.fault(&format!("must be a whole number from {least} to {most}")))
+    }
+
+    /// A string or number as it would stand on a command line, or a list of them.
+    pub fn words(&self) -> Result<Vec<String>, SceneError> {
+        let words = match self.value {
+            DeValue::Array(items) => items.iter().map(|item| word(item.get_ref())).collect(),
+            value => word(value).map(|word| vec![word]),
+        };
+        let words = words.filter(|words: &Vec<_>| !words.is_empty());
+        words.ok_or_else(|| self.fault("must be a string or a number, or a list of these"))
+    }
+
     /// One of the names in a list.
     pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, SceneError> {
         let name = self.string()?;
@@ -209,6 +229,15 @@ impl<'a> Value<'a> {
         found
             .map(|&(_, value)| value)
             .ok_or_else(|| self.fault(&format!("is {name:?}, must be one of {}", names.join(", "))))
+    }
+}
+
+fn word(value: &DeValue) -> Option<String> {
+    match value {
+        DeValue::String(string) => Some(string.to_string()),
+        DeValue::Integer(integer) => Some(integer.as_str().to_owned()),
+        DeValue::Float(float) => Some(float.as_str().to_owned()),
+        _ => None,
     }
 }
 

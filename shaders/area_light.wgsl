@@ -1,0 +1,50 @@
+// Emitting triangles: the light by its power, the position uniform on it.
+
+struct AreaLight {
+    corner: vec3f,
+    before: f32,
+    edge1: vec3f,
+    probability: f32,
+    edge2: vec3f,
+    two_sided: u32,
+    normal: vec3f,
+    area: f32,
+    radiance: vec3f,
+    pad: f32,
+}
+
+@group(0) @binding(9) var<storage, read> lights: array<AreaLight>;
+
+struct LightSample {
+    // Where a shadow ray ends: as far before the light as it starts before the point.
+    end: vec3f,
+    // Whether light and point face each other.
+    faces: bool,
+    radiance: vec3f,
+    // The geometry term between place and point, 1 / length^2.
+    geometry: f32,
+    // Of the place, by area.
+    density: f32,
+}
+
+fn sample_area_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> LightSample {
+    var u = at;
+    let light = lights[choose_light(u.x, light_count)];
+    u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
+    // The square root makes the density uniform and keeps strata whole.
+    let root = sqrt(u.x);
+    let on_light = light.corner + light.edge1 * (root * (1.0 - u.y)) + light.edge2 * (root * u.y);
+    let to_light = on_light - point.position;
+    let square = dot(to_light, to_light);
+    let cosine = dot(to_light, point.normal);
+    let facing = -dot(to_light, light.normal);
+    let emitted = select(facing, abs(facing), light.two_sided != 0u);
+    let geometry = cosine * emitted / (square * square);
+    return LightSample(
+        on_light + light.normal * (sign(facing) * offset),
+        cosine > 0.0 && emitted > 0.0,
+        light.radiance,
+        geometry,
+        light.probability / light.area,
+    );
+}

@@ -1,0 +1,20 @@
+// Paths from the camera, a vertex a pass. A path stays in its slot: the samples of a pixel, then
+// those of the next. The queue lists the slots of the paths that go on.
+
+struct PathParams {
+    // Paths in the queue; pixels when they are summed.
+    paths: u32,
+    // How many bounces the paths have behind them.
+    bounce: u32,
+    // The first sample of each pixel, and how many it has.
+    first_sample: u32,
+    samples: u32,
+    lights: u32,
+    nodes: u32,
+    offset: f32,
+    // Density of the places drawn on an area light over its mean radiance and its sides; 0 if
+    // emission that the next segment finds does not count.
+    light_density: f32,
+}
+
+@group(0) @binding(0) var<storage, read> params: PathParams;

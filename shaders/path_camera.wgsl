@@ -1,0 +1,29 @@
+// Camera rays of paths: some samples of every pixel of the tile.
+
+@group(0) @binding(4) var<storage, read_write> points: array<Point>;
+@group(0) @binding(20) var<storage, read_write> radiance: array<vec4f>;
+@group(0) @binding(22) var<storage, read_write> paths: array<Path>;
+@group(0) @binding(24) var<storage, read_write> survivors: array<u32>;
+
+// No invocation returns early: a subgroup may trace its rays together.
+@compute @workgroup_size(64)
+fn main(
+    @builtin(global_invocation_id) id: vec3u,
+    @builtin(local_invocation_index) invocation: u32,
+) {
+    let slot = id.x;
+    let pixel = pixel_of(slot / params.rays, params.first_block, params.width);
+    let is = slot < params.blocks * 64u * params.rays;
+    let stream = camera_stream(pixel);
+    var inside = vec2f(0.5);
+    if params.samples > 1u { inside = scrambled(params.sample + slot % params.rays, stream); }
+    let direction = camera_direction(pixel, inside);
+    let limit = select(0.0, HUGE, is && pixel.x < params.width && pixel.y < params.height);
+    let hit = traverse(params.position, direction, limit, params.nodes, false, invocation);
+    if is {
+        points[slot] = hit_point(hit, direction);
+        radiance[slot] = vec4f(0.0);
+        paths[slot] = Path(vec3f(1.0), stream);
+        survivors[slot] = select(slot, NOTHING, hit.triangle == NOTHING);
+    }
+}

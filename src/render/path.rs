@@ -1,0 +1,257 @@
+//! The path tracer: the reference for all that VPLs approximate. It shares scene, hierarchy,
+//! camera and random numbers with them, but no light transport.
+//!
+//! A wave of paths, some samples of every pixel of a tile, goes from vertex to vertex together:
+//! shadow rays to the lights from each vertex, then the next segment of each path. A pass traces
+//! one ray a path, and between passes the paths that have ended leave the queue.
+
+mod estimate;
+mod stages;
+
+use std::time::{Duration, Instant};
+
+use super::tile::blank;
+use super::{Bounces, Counts, Direct, Frame, Method, Phases, Prepared, Progress, Settings};
+use super::{film::BLOCK, visibility::dispatch_rays};
+use crate::gpu::{CameraParams, GpuError, PathParams, PathSum};
+use crate::sampling::{SURFACE_OFFSET, hash};
+use crate::scene::Camera;
+use estimate::Estimates;
+use stages::{RUN, Stages};
+
+/// Paths of a wave, at most: few enough for any adapter's buffers, many enough that the passes
+/// themselves cost nothing.
+const MOST_PATHS: u32 = 1 << 20;
+/// Samples of a pixel in a wave, at most: the device sums them in f32.
+const MOST_SAMPLES: u32 = 64;
+/// Samples of a pixel in a wave where there are enough: their rays are near each other.
+const GOOD_SAMPLES: u32 = 16;
+
+/// Some samples of every pixel of a run of 8 × 8 blocks.
+#[derive(Debug, Clone, Copy)]
+struct Wave {
+    first_block: u32,
+    blocks: u32,
+    first_sample: u32,
+    samples: u32,
+}
+
+impl Wave {
+    fn pixels(&self) -> u32 {
+        self.blocks * BLOCK
+    }
+
+    fn paths(&self) -> u32 {
+        self.pixels() * self.samples
+    }
+}
+
+/// Renders the paths of one frame.
+#[derive(Debug)]
+pub struct PathTracer<'a> {
+    prepared: &'a Prepared,
+    camera: &'a Camera,
+    settings: &'a Settings,
+    seed: u32,
+    /// Samples of a pixel in a wave, and blocks.
+    wave: [u32; 2],
+    stages: Stages,
+}
+
+impl<'a> PathTracer<'a> {
+    /// Binds what the frame needs.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn new(
+        prepared: &'a Prepared,
+        camera: &'a Camera,
+        settings: &'a Settings,
+        seed: u32,
+    ) -> Result<Self, GpuError> {
+        debug_assert_eq!(settings.method, Method::Path);
+        let wave = wave_size(dispatch_rays(prepared), all_blocks(camera), settings.samples);
+        let [samples, blocks] = wave;
+        let pixels = (blocks * BLOCK) as usize;
+        let stages = Stages::new(prepared, settings, pixels * samples as usize, pixels)?;
+        Ok(Self { prepared, camera, settings, seed, wave, stages })
+    }
+
+    /// Renders the frame, tile by tile and wave by wave.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn render(&self, progress: Progress<'_>) -> Result<Frame, GpuError> {
+        let (mut phases, mut counts) = (Phases::default(), Counts::default());
+        let mut image = blank(self.camera.size)?;
+        let two = self.settings.samples >= 2;
+        let mut standard_error = two.then(|| blank(self.camera.size)).transpose()?;
+        let ([samples, blocks], all) = (self.wave, all_blocks(self.camera));
+        let per_tile = self.settings.samples.div_ceil(samples);
+        let waves = f64::from(all.div_ceil(blocks)) * f64::from(per_tile);
+        let mut done = 0.0;
+        for first_block in (0..all).step_by(blocks as usize) {
+            let blocks = blocks.min(all - first_block);
+            let mut estimates = Estimates::new((blocks * BLOCK) as usize);
+            for first_sample in (0..self.settings.samples).step_by(samples as usize) {
+                let samples = samples.min(self.settings.samples - first_sample);
+                let wave = Wave { first_block, blocks, first_sample, samples };
+                progress(done / waves, "paths");
+                let sums = self.trace(&wave, &mut phases, &mut counts)?;
+                counts.shadow_rays += estimates.add(&sums, samples);
+                done += 1.0;
+            }
+            let tile = first_block..first_block + blocks;
+            estimates.develop(&tile, &mut image, standard_error.as_mut());
+        }
+        let finite = |pixel: &&[f32; 3]| !pixel.iter().all(|channel| channel.is_finite());
+        counts.nonfinite_pixels = image.pixels.iter().filter(finite).count() as u64;
+        let passes = self.prepared.gpu.take_pass_times()?;
+        Ok(Frame { image, standard_error, counts, phases, passes })
+    }
+
+    /// The paths of a wave from the camera to their ends.
+    fn trace(
+        &self,
+        wave: &Wave,
+        phases: &mut Phases,
+        counts: &mut Counts,
+    ) -> Result<Vec<PathSum>, GpuError> {
+        let stages = &self.stages;
+        let params = PathParams {
+            paths: wave.paths(),
+            bounce: 0,
+            first_sample: wave.first_sample,
+            samples: wave.samples,
+            lights: 0,
+            nodes: self.prepared.bvh.nodes.len() as u32,
+            offset: SURFACE_OFFSET,
+            light_density: 0.0,
+        };
+        let groups = [wave.paths().div_ceil(64), 1];
+        phases.visible_points +=
+            stages.camera.run(self.prepared, &self.camera_params(wave), groups)?;
+        if let Some(emit) = &stages.emit {
+            phases.shading += emit.run(self.prepared, &(), groups)?;
+        }
+        let mut params = PathParams { paths: self.survivors(&params, phases)?, ..params };
+        counts.visible_points += u64::from(params.paths);
+        while params.paths > 0 {
+            // The light of a vertex: from shadow rays, and from what the next segment happens upon.
+            let is_lit = params.bounce > 0 || self.settings.direct != Direct::Off;
+            let last = self.settings.bounces == Bounces::Finite(params.bounce);
+            let density = self.prepared.lights.area_density();
+            params.light_density = if is_lit && !last { density } else { 0.0 };
+            if is_lit {
+                let time = self.shadow_rays(&params)?;
+                *(if params.bounce == 0 { &mut phases.direct } else { &mut phases.visibility }) +=
+                    time;
+            }
+            let Some(bounce) = stages.bounce.as_ref().filter(|_| !last) else { break };
+            let groups = [params.paths.div_ceil(64), 1];
+            phases.visibility += bounce.run(self.prepared, &params, groups)?;
+            params.paths = self.survivors(&params, phases)?;
+            params.bounce += 1;
+        }
+        self.sums(wave, &params, phases)
+    }
+
+    /// Light straight from its source at the vertices of the queue.
+    fn shadow_rays(&self, params: &PathParams) -> Result<Duration, GpuError> {
+        let groups = [params.paths.div_ceil(64), 1];
+        let mut time = Duration::ZERO;
+        for (stage, lights) in &self.stages.lights {
+            let params = PathParams { lights: *lights, ..*params };
+            time += stage.run(self.prepared, &params, groups)?;
+        }
+        Ok(time)
+    }
+
+    /// Makes the queue of the paths that go on, of those that `params` counts; how many they are.
+    fn survivors(&self, params: &PathParams, phases: &mut Phases) -> Result<u32, GpuError> {
+        let start = Instant::now();
+        let (stages, gpu) = (&self.stages, &self.prepared.gpu);
+        let runs = params.paths.div_ceil(RUN);
+        let groups = [runs.div_ceil(64), 1];
+        stages.count.run(self.prepared, params, groups)?;
+        let mut places: Vec<u32> = gpu.read(&stages.buffers.counts, runs as usize)?;
+        let mut all = 0;
+        for place in &mut places {
+            all += std::mem::replace(place, all);
+        }
+        gpu.write(&stages.buffers.places, &places)?;
+        stages.compact.run(self.prepared, params, groups)?;
+        phases.shading += start.elapsed();
+        Ok(all)
+    }
+
+    /// What the samples of each pixel came to.
+    fn sums(
+        &self,
+        wave: &Wave,
+        params: &PathParams,
+        phases: &mut Phases,
+    ) -> Result<Vec<PathSum>, GpuError> {
+        let stages = &self.stages;
+        let params = PathParams { paths: wave.pixels(), ..*params };
+        phases.shading += stages.sum.run(self.prepared, &params, [wave.blocks, 1])?;
+        let start = Instant::now();
+        let sums = self.prepared.gpu.read(&stages.buffers.sums, wave.pixels() as usize)?;
+        phases.readback += start.elapsed();
+        Ok(sums)
+    }
+
+    fn camera_params(&self, wave: &Wave) -> CameraParams {
+        let camera = self.camera;
+        let [x, y] = camera.half_tangents();
+        CameraParams {
+            position: camera.position.to_array(),
+            width: camera.size[0],
+            forward: camera.forward.to_array(),
+            height: camera.size[1],
+            right: (camera.right * x).to_array(),
+            first_block: wave.first_block,
+            up: (camera.up * y).to_array(),
+            sample: wave.first_sample,
+            samples: self.settings.samples,
+            seed: hash(self.seed ^ 0x68e3_1da4),
+            blocks: wave.blocks,
+            nodes: self.prepared.bvh.nodes.len() as u32,
+            first_ray: 0,
+            rays: wave.samples,
+            edge_rays: 0,
+            pad: 0,
+        }
+    }
+}
+
+fn all_blocks(camera: &Camera) -> u32 {
+    let [across, down] = camera.size.map(|extent| extent.div_ceil(8));
+    across * down
+}
+
+/// Samples of a pixel in a wave, and blocks of pixels, so that a wave of an image of `all_blocks`
+/// blocks is large, but no larger than `rays`.
+fn wave_size(rays: u32, all_blocks: u32, samples: u32) -> [u32; 2] {
+    let blocks = MOST_PATHS.min(rays) / BLOCK;
+    let samples = (blocks / all_blocks).clamp(GOOD_SAMPLES, MOST_SAMPLES).min(samples);
+    [samples, (blocks / samples).clamp(1, all_blocks)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn waves_are_large_but_not_too_large() {
+        let rays = 1 << 26;
+        // 512 × 512 pixels.
+        assert_eq!(wave_size(rays, 4096, 1), [1, 4096]);
+        assert_eq!(wave_size(rays, 4096, 4), [4, 4096]);
+        assert_eq!(wave_size(rays, 4096, 4096), [16, 1024]);
+        // One pixel, and 16,384².
+        assert_eq!(wave_size(rays, 1, 4096), [64, 1]);
+        assert_eq!(wave_size(rays, 1 << 22, 1), [1, 1 << 14]);
+        assert_eq!(wave_size(64, 4096, 4096), [16, 1]);
+    }
+}
