@@ -17,7 +17,7 @@ const PAGE: &str = include_str!("page/page.html");
 const STYLE: &str = include_str!("page/page.css");
 
 /// One module, in this order.
-const SCRIPTS: [&str; 12] = [
+const SCRIPTS: [&str; 13] = [
     include_str!("page/dom.js"),
     include_str!("page/format.js"),
     include_str!("page/data.js"),
@@ -28,6 +28,7 @@ const SCRIPTS: [&str; 12] = [
     include_str!("page/notes.js"),
     include_str!("page/pixels.js"),
     include_str!("page/stage.js"),
+    include_str!("page/tools.js"),
     include_str!("page/viewer.js"),
     include_str!("page/main.js"),
 ];
@@ -156,7 +157,9 @@ mod tests {
     #[test]
     fn nothing_comes_from_elsewhere() {
         let page = page("x");
-        assert!(page.contains("content=\"default-src 'none'; style-src 'unsafe-inline'; "));
+        let policy = "default-src 'none'; style-src 'unsafe-inline'; \
+                      script-src 'unsafe-inline'; img-src data: blob:";
+        assert!(page.contains(&format!("\"Content-Security-Policy\" content=\"{policy}\"")));
         let links = page.matches("http").count();
         assert_eq!(links, page.matches("http-equiv").count() + page.matches(NAMESPACE).count());
     }

@@ -99,7 +99,7 @@ fn noises(
 impl Chart<'_> {
     fn draw(&self, points: &[Point]) -> String {
         let curves = &self.results.experiments;
-        let mut svg = Svg::default();
+        let mut svg = Svg::new([LEFT, TOP], [RIGHT, BOTTOM]);
         self.title(&mut svg);
         self.grid(&mut svg);
         self.noise(&mut svg);
@@ -195,10 +195,14 @@ impl Chart<'_> {
         svg.open(&format!("stroke=\"{colour}\" fill=\"{colour}\""));
         if let Some(fit) = self.fit(curve) {
             let line: Vec<_> =
-                fit.line.iter().map(|&[x, y]| [self.x.at(x), self.y.at(y)]).collect();
-            svg.path(&line, "stroke-dasharray=\"5 4\" stroke-width=\"1.25\"");
+                fit.line.iter().map(|&[x, y]| [self.x.beyond(x), self.y.beyond(y)]).collect();
+            svg.path(
+                &line,
+                "stroke-dasharray=\"5 4\" stroke-width=\"1.25\" clip-path=\"url(#inside)\"",
+            );
         }
-        let mut line: Vec<_> = points.iter().map(|point| self.place(point)).collect();
+        let above = points.iter().filter(|point| self.y.range[0] <= point.error.mean);
+        let mut line: Vec<_> = above.map(|point| self.place(point)).collect();
         line.sort_by(|a, b| a[0].total_cmp(&b[0]));
         svg.path(&line, "stroke-width=\"1.5\" stroke-opacity=\".55\"");
         for point in points {
@@ -266,14 +270,14 @@ impl Chart<'_> {
     }
 
     fn key(&self) -> String {
-        let mut key = vec!["bars: ± one standard deviation over seeds"];
+        let mut key = vec!["bars: ± one standard deviation"];
         if self.against == Against::Total {
-            key.push("rings and steps: no other row is both faster and better");
+            key.push("rings: no other row is both faster and better");
         }
         if self.results.experiments.iter().any(|curve| self.fit(curve).is_some()) {
-            key.push("dashed: power law with a floor");
+            key.push("dashed: fitted power law");
         }
-        key.join("; ")
+        key.join(" · ")
     }
 }
 

@@ -43,7 +43,12 @@ function errorOf(row, metric, against) {
 
 /// The rows that have the error: what is plotted.
 function pointsOf(scene, metric, against) {
-  const points = scene.rows.map((row, index) => ({ row, index, seconds: row.seconds, error: errorOf(row, metric, against) }));
+  const points = scene.rows.map((row, index) => ({
+    row,
+    index,
+    seconds: row.seconds,
+    error: errorOf(row, metric, against),
+  }));
   return points.filter(({ seconds, error }) => error && isNumber(seconds.mean) && seconds.mean > 0);
 }
 

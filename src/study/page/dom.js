@@ -34,7 +34,11 @@ function marked(text) {
 /// The mark of a curve, for texts.
 function swatch(style) {
   const mark = draw("path", { class: "mark", d: style.shape, transform: "scale(4.6)" });
-  return draw("svg", { class: "swatch tint", viewBox: "-8 -8 16 16", style: tint(style), "aria-hidden": true }, mark);
+  return draw(
+    "svg",
+    { class: "swatch tint", viewBox: "-8 -8 16 16", style: tint(style), "aria-hidden": true },
+    mark,
+  );
 }
 
 /// Both colours of a curve; the style sheet chooses.
@@ -42,10 +46,22 @@ function tint(style) {
   return `--light:${style.light};--dark:${style.dark}`;
 }
 
+/// Words that break within only where a line is too short for one.
+function words(text) {
+  return text
+    .split(" ")
+    .flatMap((word) => [make("span", { class: "word" }, word), " "])
+    .slice(0, -1);
+}
+
 /// A command with a button that copies it.
 function command(text) {
-  const code = make("code", { title: text }, text);
-  const button = make("button", { class: "copy", type: "button", "aria-label": `Copy: ${text}`, onclick: copy }, "copy");
+  const code = make("code", { title: text }, words(text));
+  const button = make(
+    "button",
+    { class: "copy", type: "button", "aria-label": `Copy: ${text}`, onclick: copy },
+    "copy",
+  );
   async function copy(event) {
     event.stopPropagation();
     button.textContent = (await copied(text)) ? "copied" : "press Ctrl+C";

@@ -36,19 +36,25 @@ function count(value) {
   return isNumber(value) ? value.toLocaleString("en").replaceAll(",", "\u202f") : NOTHING;
 }
 
+/// What a mean deviates by, to as many decimals; null where that is not known.
+function deviation({ mean, sd }, digits) {
+  if (!isNumber(sd)) return null;
+  const size = Math.abs(mean);
+  const isPlain = size >= 1e-4 && size < 1e5;
+  return isPlain ? fixed(sd, decimals(mean, digits)) : number(sd, 2);
+}
+
 /// A mean and what it deviates by, as text.
 function spreadText(spread, digits = 3) {
   if (!spread || !isNumber(spread.mean)) return NOTHING;
-  const mean = number(spread.mean, digits);
-  return isNumber(spread.sd) ? `${mean} ± ${number(spread.sd, 2)}` : mean;
+  const sd = deviation(spread, digits);
+  return sd === null ? number(spread.mean, digits) : `${number(spread.mean, digits)} ± ${sd}`;
 }
 
 /// The same with the deviation in quiet.
 function spreadCell(spread, digits = 3) {
-  if (!spread || !isNumber(spread.mean)) return [NOTHING];
-  const mean = number(spread.mean, digits);
-  if (!isNumber(spread.sd)) return [mean];
-  return [mean, make("span", { class: "sd" }, ` ± ${number(spread.sd, 2)}`)];
+  const [mean, sd] = spreadText(spread, digits).split(" ± ");
+  return sd ? [mean, make("span", { class: "sd" }, ` ± ${sd}`)] : [mean];
 }
 
 function signed(value, digits) {

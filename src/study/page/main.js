@@ -45,6 +45,7 @@ function start() {
   views.push(showChoices, showPlot, showLegend, showTable, revealRow, showFits, showReferences, followState);
   if (RESULTS.scenes.length) chooseScene(0);
   else update({});
+  document.addEventListener("pointerdown", (event) => byId("plot").contains(event.target) || hideTip());
   let width = byId("plot").clientWidth;
   new ResizeObserver(() => {
     if (byId("plot").clientWidth === width) return;

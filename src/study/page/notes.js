@@ -14,7 +14,13 @@ function showHeading() {
   ];
   byId("summary").replaceChildren(parts.join(""));
   if (finished < planned) {
-    byId("summary").after(make("p", { class: "warning", id: "interrupted" }, `Interrupted: ${finished} of ${planned} frames measured. The same command goes on from here.`));
+    byId("summary").after(
+      make(
+        "p",
+        { class: "warning", id: "interrupted" },
+        `Interrupted: ${finished} of ${planned} frames measured. The same command goes on from here.`,
+      ),
+    );
   }
   byId("repeat").replaceWith(command(RESULTS.command));
 }
@@ -36,7 +42,9 @@ function showFits() {
     [number(fit.floor)],
   ]);
   const nothing = make("p", { class: "quiet" }, "No curve of this scene has rows enough to fit this error.");
-  byId("fits").replaceChildren(rows.length ? table([["curve"], [`slope of ${metricName(state.metric)}`], ["floor"]], rows) : nothing);
+  byId("fits").replaceChildren(
+    rows.length ? table([["curve"], [`slope of ${metricName(state.metric)}`], ["floor"]], rows) : nothing,
+  );
 }
 
 function showClaims() {
@@ -50,12 +58,19 @@ function showClaims() {
       {},
       text(marked(claim.claim), true),
       text(make("span", { class: "verdict" }, claim.verdict.replaceAll("-", " "))),
-      text(claim.criteria.map(({ what, value }) => make("div", {}, `${what}: ${number(value)}`)), true),
+      text(
+        claim.criteria.map(({ what, value }) => make("div", {}, `${what}: ${number(value)}`)),
+        true,
+      ),
       text(claim.criteria.map((criterion) => make("div", {}, range(criterion)))),
       text(marked(claim.remark), true),
     );
-  const head = ["claim", "verdict", "number", "confirms", "remark"].map((name) => make("th", { class: "text" }, name));
-  byId("claims").replaceChildren(make("table", {}, make("thead", {}, make("tr", {}, head)), make("tbody", {}, claims.map(line))));
+  const head = ["claim", "verdict", "number", "confirms", "remark"].map((name) =>
+    make("th", { class: "text" }, name),
+  );
+  byId("claims").replaceChildren(
+    make("table", {}, make("thead", {}, make("tr", {}, head)), make("tbody", {}, claims.map(line))),
+  );
 }
 
 function range({ least, most }) {
@@ -66,11 +81,21 @@ function range({ least, most }) {
 
 function showReferences() {
   const scene = currentScene();
-  const nothing = make("p", { class: "quiet" }, "There is no reference: only the error of clustering is known.");
+  const nothing = make(
+    "p",
+    { class: "quiet" },
+    "There is no reference: only the error of clustering is known.",
+  );
   const references = scene ? scene.references : [];
   byId("references").replaceChildren(...(references.length ? references.map(referenceEntry) : [nothing]));
   if (isNumber(scene?.mask_above)) {
-    byId("references").append(make("p", {}, `Pixels near any brighter than ${number(scene.mask_above)} are left out of all errors: lights seen directly.`));
+    byId("references").append(
+      make(
+        "p",
+        {},
+        `Pixels near any brighter than ${number(scene.mask_above)} are left out of all errors: lights seen directly.`,
+      ),
+    );
   }
 }
 

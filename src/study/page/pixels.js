@@ -31,7 +31,9 @@ async function decode(index) {
 
 /// Undoes the differences of neighbours and of channels.
 function unfiltered(bytes, width, size) {
-  const [green, red, blue] = [0, 1, 2].map((channel) => plane(bytes.subarray(2 * channel * size), width, size));
+  const [green, red, blue] = [0, 1, 2].map((channel) =>
+    plane(bytes.subarray(2 * channel * size), width, size),
+  );
   const codes = new Uint16Array(3 * size);
   for (let pixel = 0; pixel < size; pixel += 1) {
     codes[3 * pixel] = red[pixel] + green[pixel];
@@ -87,14 +89,21 @@ function painted(width, height, paint) {
   return canvas;
 }
 
+/// The difference of two codes. Neighbouring codes may stand for the same value, rounded: what
+/// is that near is not a difference.
+function difference(a, b) {
+  return Math.abs(a - b) <= 1 ? 0 : VALUES[a] - VALUES[b];
+}
+
 /// A − B a pixel: the root mean square over channels, or with signs their mean.
 function differences(a, b, isSigned) {
   const size = a.length / 3;
   const values = new Float32Array(size);
   for (let pixel = 0; pixel < size; pixel += 1) {
-    const of = (channel) => VALUES[a[3 * pixel + channel]] - VALUES[b[3 * pixel + channel]];
-    const [r, g, blue] = [of(0), of(1), of(2)];
-    values[pixel] = isSigned ? (r + g + blue) / 3 : Math.sqrt((r * r + g * g + blue * blue) / 3);
+    const of = (channel) => difference(a[3 * pixel + channel], b[3 * pixel + channel]);
+    const [red, green, blue] = [of(0), of(1), of(2)];
+    const squares = red * red + green * green + blue * blue;
+    values[pixel] = isSigned ? (red + green + blue) / 3 : Math.sqrt(squares / 3);
   }
   return values;
 }

@@ -14,13 +14,19 @@ function chart(width) {
   const least = Math.min(...errors.filter((error) => error > 0));
   const noises = noisesOf(scene, state.metric, state.against);
   const near = noises.map(({ noise }) => noise).filter((noise) => noise > least / 10);
-  const x = logAxis(all.flatMap(({ seconds }) => extent(seconds)), box.left, box.right);
+  const x = logAxis(
+    all.flatMap(({ seconds }) => extent(seconds)),
+    box.left,
+    box.right,
+  );
   const y = logAxis([...errors, ...near], box.bottom, box.top);
   return { scene, all, points, width, height, box, x, y, noises };
 }
 
 function showPlot() {
   const holder = byId("plot");
+  // Not laid out, as in a tab that closes: there is nothing to draw on.
+  if (!holder.clientWidth) return;
   const what = RESULTS.scenes.length ? chart(holder.clientWidth) : { all: [] };
   for (const old of holder.querySelectorAll("svg, .empty")) old.remove();
   hideTip();
@@ -35,7 +41,7 @@ function showPlot() {
     role: "group",
     "aria-label": `${errorTitle()} over seconds of a warm frame; arrow keys go from point to point, Enter chooses one`,
   });
-  svg.append(hatchPattern(), gridLines(what), noiseBands(what), front(what));
+  svg.append(definitions(what), gridLines(what), noiseBands(what), front(what));
   for (const curve of what.scene.experiments) svg.append(curveGroup(what, curve));
   followPointer(svg, what);
   holder.prepend(svg);
@@ -47,10 +53,18 @@ function errorTitle() {
   return `${metricName(state.metric)} ${against}`;
 }
 
-function hatchPattern() {
+function definitions({ box }) {
   const stroke = draw("path", { d: "M0 0V7", class: "hatch" });
-  const pattern = { id: "hatch", width: 7, height: 7, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" };
-  return draw("defs", {}, draw("pattern", pattern, stroke));
+  const pattern = {
+    id: "hatch",
+    width: 7,
+    height: 7,
+    patternUnits: "userSpaceOnUse",
+    patternTransform: "rotate(45)",
+  };
+  const size = { width: box.right - box.left, height: box.bottom - box.top };
+  const inside = draw("clipPath", { id: "inside" }, draw("rect", { x: box.left, y: box.top, ...size }));
+  return draw("defs", {}, draw("pattern", pattern, stroke), inside);
 }
 
 function segment(x1, y1, x2, y2, attributes) {
@@ -66,17 +80,21 @@ function gridLines({ box, x, y, width, height }) {
   for (const tick of ticks(x)) {
     const place = at(x, tick.value);
     group.append(segment(place, box.top, place, box.bottom, { class: tick.label ? "grid major" : "grid" }));
-    if (tick.label) group.append(label(place, box.bottom + 18, tick.label, { "text-anchor": "middle" }));
+    if (tick.label)
+      group.append(label(place, box.bottom + 18, tick.label, { class: "tick", "text-anchor": "middle" }));
   }
   for (const tick of ticks(y)) {
     const place = at(y, tick.value);
     group.append(segment(box.left, place, box.right, place, { class: tick.label ? "grid major" : "grid" }));
-    if (tick.label) group.append(label(box.left - 8, place + 4, tick.label, { "text-anchor": "end" }));
+    if (tick.label)
+      group.append(label(box.left - 8, place + 4, tick.label, { class: "tick", "text-anchor": "end" }));
   }
   group.append(draw("path", { class: "frame", d: `M${box.left} ${box.top}V${box.bottom}H${box.right}` }));
   group.append(label(0, 16, errorTitle(), { class: "title", id: "y-title" }));
   const middle = (box.left + box.right) / 2;
-  group.append(label(middle, height - 8, "seconds of a warm frame", { class: "title", "text-anchor": "middle" }));
+  group.append(
+    label(middle, height - 8, "seconds of a warm frame", { class: "title", "text-anchor": "middle" }),
+  );
   return group;
 }
 
@@ -122,11 +140,17 @@ function curveGroup(what, curve) {
   points.sort((a, b) => a.seconds.mean - b.seconds.mean);
   const place = ({ seconds, error }) => [at(what.x, seconds.mean), at(what.y, error.mean)];
   const fit = fitOf(curve, state.metric, state.against);
-  if (points.length > 1) group.append(polyline(points.map(place), { class: "link" }));
-  if (fit) group.append(polyline(fit.line.map(([x, y]) => [at(what.x, x), at(what.y, y)]), { class: "fit" }));
+  const above = points.filter(({ error }) => !isBelow(what.y, error.mean));
+  if (above.length > 1) group.append(polyline(above.map(place), { class: "link" }));
+  if (fit) group.append(fitLine(what, fit));
   for (const point of points) group.append(errorBars(what, point, place(point)));
   for (const point of points) group.append(pointMark(what, point, place(point), style));
   return group;
+}
+
+function fitLine({ x, y }, { line }) {
+  const points = line.map(([seconds, error]) => [beyond(x, seconds), beyond(y, error)]);
+  return polyline(points, { class: "fit", "clip-path": "url(#inside)" });
 }
 
 function errorBars({ x, y }, { seconds, error }, [left, top]) {

@@ -1,11 +1,11 @@
 // The points of the plot, what they say when pointed at, and the legend.
 
-const MARK = 5;
 const REACH = 28;
 
 function pointMark(what, point, [x, y], style) {
   const below = isBelow(what.y, point.error.mean);
   const first = plotElements.points.length === 0;
+  const size = what.width < 480 ? 4 : 5;
   const group = draw("g", {
     class: `point${below ? " hollow" : ""}${state.chosen === point.index ? " chosen" : ""}`,
     transform: `translate(${x} ${y})`,
@@ -18,8 +18,8 @@ function pointMark(what, point, [x, y], style) {
     onkeydown: (event) => onPointKey(event, entry),
   });
   group.append(draw("circle", { class: "halo", r: 13 }));
-  if (isBest(point)) group.append(draw("circle", { class: "ring", r: MARK + 4 }));
-  group.append(draw("path", { class: "mark", d: style.shape, transform: `scale(${MARK})` }));
+  if (isBest(point)) group.append(draw("circle", { class: "ring", r: size + 4 }));
+  group.append(draw("path", { class: "mark", d: style.shape, transform: `scale(${size})` }));
   const entry = { point, group, x, y };
   plotElements.points.push(entry);
   return group;
@@ -71,7 +71,9 @@ function onPointKey(event, entry) {
 }
 
 function along(entry, step) {
-  const curve = plotElements.points.filter(({ point }) => point.row.experiment === entry.point.row.experiment);
+  const curve = plotElements.points.filter(
+    ({ point }) => point.row.experiment === entry.point.row.experiment,
+  );
   return curve[curve.indexOf(entry) + step];
 }
 
@@ -111,15 +113,18 @@ function tipContent({ row, seconds, error }) {
     ["VPLs", count(row.vpls)],
     ["efficiency", number(row.efficiency)],
   ];
-  const list = make("dl", {}, facts.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));
+  const list = make(
+    "dl",
+    {},
+    facts.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]),
+  );
   const method = make("span", { class: "quiet" }, `${row.experiment} · ${row.method}`);
-  return [make("strong", {}, row.setting), method, list, make("code", {}, row.command)];
+  return [make("strong", {}, row.setting), method, list, make("code", {}, words(row.command))];
 }
 
-/// Beside the point, on the side where there is room, within the plot.
+/// Beside the point, on the side where there is room; below it where there is none.
 function placeTip(tip, { x, y }) {
-  const holder = byId("plot");
-  const right = x + 18 + tip.offsetWidth <= holder.clientWidth;
+  const right = x + 18 + tip.offsetWidth <= byId("plot-section").clientWidth;
   const left = right ? x + 18 : Math.max(0, x - 18 - tip.offsetWidth);
   const covers = !right && left + tip.offsetWidth > x - 10;
   const top = covers ? y + 20 : Math.max(0, y - tip.offsetHeight / 2);
@@ -144,11 +149,18 @@ function legendEntry(scene, curve) {
   const toggle = () => {
     if (!hidden.delete(curve.name)) hidden.add(curve.name);
     update({});
-    byId("legend").querySelector(`[data-curve="${CSS.escape(curve.name)}"]`)?.focus();
+    byId("legend")
+      .querySelector(`[data-curve="${CSS.escape(curve.name)}"]`)
+      ?.focus();
   };
   return make(
     "button",
-    { type: "button", "aria-pressed": String(!hidden.has(curve.name)), "data-curve": curve.name, onclick: toggle },
+    {
+      type: "button",
+      "aria-pressed": String(!hidden.has(curve.name)),
+      "data-curve": curve.name,
+      onclick: toggle,
+    },
     swatch(styleOf(scene, curve.name)),
     make(
       "span",
@@ -165,7 +177,13 @@ function fitText({ slope, floor }) {
 }
 
 function keyToSigns(scene, points) {
-  const key = (element, text) => make("div", { class: "key" }, draw("svg", { viewBox: "-8 -8 16 16", "aria-hidden": true }, element), text);
+  const key = (element, text) =>
+    make(
+      "div",
+      { class: "key" },
+      draw("svg", { viewBox: "-8 -8 16 16", "aria-hidden": true }, element),
+      text,
+    );
   const signs = [];
   if (points.some(isBest)) {
     signs.push(key(draw("circle", { class: "ring", r: 6 }), "no other setting is both faster and better"));
@@ -174,7 +192,13 @@ function keyToSigns(scene, points) {
     signs.push(key(draw("path", { class: "fit", d: "M-8 0H8" }), "fitted power law above a floor"));
   }
   const hidden = points.some(({ error }) => error.mean === 0);
-  if (hidden) signs.push(key(draw("g", { class: "hollow" }, draw("circle", { class: "mark", r: 4, style: "stroke-width:1.2" })), "an error of zero, at the bottom edge"));
+  if (hidden)
+    signs.push(
+      key(
+        draw("g", { class: "hollow" }, draw("circle", { class: "mark", r: 4, style: "stroke-width:1.2" })),
+        "an error of zero, at the bottom edge",
+      ),
+    );
   signs.push(key(draw("path", { class: "bar", d: "M0 -7V7" }), "± one standard deviation over seeds"));
   return signs;
 }

@@ -15,8 +15,13 @@ function logAxis(values, from, to) {
 
 /// Where a value lies; at the nearer end where it lies outside, zero included.
 function at(axis, value) {
+  return Math.min(Math.max(beyond(axis, value), Math.min(axis.from, axis.to)), Math.max(axis.from, axis.to));
+}
+
+/// Where a value lies, be it outside: for lines that are clipped.
+function beyond(axis, value) {
   const part = (Math.log(Math.max(value, 1e-300)) - axis.low) / (axis.high - axis.low);
-  return axis.from + Math.min(Math.max(part, 0), 1) * (axis.to - axis.from);
+  return axis.from + part * (axis.to - axis.from);
 }
 
 /// Whether a value lies below the axis.
@@ -33,7 +38,7 @@ function ticks(axis) {
     for (let digit = 1; digit < 10; digit += 1) {
       const place = decade + Math.log10(digit);
       if (place < low || place > high) continue;
-      const fine = high - low <= 2 && (digit === 1 || digit === 2 || digit === 5);
+      const fine = high - low <= 2.5 && (digit === 1 || digit === 2 || digit === 5);
       const labelled = fine || (digit === 1 && decade % every === 0);
       const value = Number(`${digit}e${decade}`);
       all.push({ value, label: labelled ? tickLabel(digit, decade) : null });

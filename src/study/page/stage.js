@@ -22,10 +22,14 @@ function fit(picture) {
 /// Pictures cover the stage, or are in its middle.
 function settle(picture) {
   const [width, height] = stageSize();
-  const within = (corner, room, size) => (size <= room ? (room - size) / 2 : Math.min(0, Math.max(room - size, corner)));
+  const within = (corner, room, size) =>
+    size <= room ? (room - size) / 2 : Math.min(0, Math.max(room - size, corner));
   place.left = within(place.left, width, picture.width * place.scale);
   place.top = within(place.top, height, picture.height * place.scale);
-  byId("stage").classList.toggle("zoomed", picture.width * place.scale > width + 1 || picture.height * place.scale > height + 1);
+  byId("stage").classList.toggle(
+    "zoomed",
+    picture.width * place.scale > width + 1 || picture.height * place.scale > height + 1,
+  );
 }
 
 /// Scales about a point of the stage that stays where it is.
@@ -90,7 +94,10 @@ function followHands(canvas, { picture, moved, pointed }) {
     moved();
   });
   for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, drop);
-  canvas.addEventListener("pointerleave", (event) => hands.size || event.pointerType !== "mouse" || pointed(null));
+  canvas.addEventListener(
+    "pointerleave",
+    (event) => hands.size || event.pointerType !== "mouse" || pointed(null),
+  );
   canvas.addEventListener("wheel", (event) => onWheel(event, picture(), moved), { passive: false });
   canvas.addEventListener("keydown", (event) => onStageKey(event, picture(), moved));
 }
@@ -124,8 +131,24 @@ function onStageKey(event, picture, moved) {
 
 /// A line between two pictures that pointers and keys move; `moved` draws anew.
 function splitHandle(moved) {
-  const handle = make("div", { id: "split", role: "slider", tabindex: 0, "aria-label": "Where A ends and B begins", "aria-valuemin": 0, "aria-valuemax": 100 });
-  const steps = { ArrowLeft: -0.02, ArrowDown: -0.02, ArrowRight: 0.02, ArrowUp: 0.02, PageDown: -0.1, PageUp: 0.1, Home: -1, End: 1 };
+  const handle = make("div", {
+    id: "split",
+    role: "slider",
+    tabindex: 0,
+    "aria-label": "Where A ends and B begins",
+    "aria-valuemin": 0,
+    "aria-valuemax": 100,
+  });
+  const steps = {
+    ArrowLeft: -0.02,
+    ArrowDown: -0.02,
+    ArrowRight: 0.02,
+    ArrowUp: 0.02,
+    PageDown: -0.1,
+    PageUp: 0.1,
+    Home: -1,
+    End: 1,
+  };
   const set = (part) => moved(Math.min(Math.max(part, 0), 1));
   handle.addEventListener("pointerdown", (event) => {
     handle.setPointerCapture(event.pointerId);

@@ -19,7 +19,13 @@ function columns(scene) {
   const clustering = state.against === "clustering" ? state.metric : "nrmse";
   return [
     { id: "setting", name: "setting", first: true, value: (row) => row.setting, cell: settingCell },
-    { id: "experiment", name: "curve", text: true, value: (row) => row.experiment, cell: (row) => [row.experiment] },
+    {
+      id: "experiment",
+      name: "curve",
+      text: true,
+      value: (row) => row.experiment,
+      cell: (row) => [row.experiment],
+    },
     { id: "method", name: "method", text: true, value: (row) => row.method, cell: (row) => [row.method] },
     spread("seconds", "seconds", (row) => row.seconds, "the wall clock of a warm frame"),
     spread("preprocess", "pT", (row) => row.preprocess, "VPLs and clusters"),
@@ -27,14 +33,42 @@ function columns(scene) {
     ...thesisColumns(scene),
     ...metrics.map((column) => (column.id === "bias" ? { ...column, name: "bias" } : column)),
     {
-      ...spread("clustering", `${metricName(clustering)} of clustering`, (row) => row.clustering?.[clustering], "against the unclustered frame"),
+      ...spread(
+        "clustering",
+        `${metricName(clustering)} of clustering`,
+        (row) => row.clustering?.[clustering],
+        "against the unclustered frame",
+      ),
       current: state.against === "clustering",
     },
     { id: "vpls", name: "VPLs", value: (row) => row.vpls, cell: (row) => [count(row.vpls)] },
-    { id: "rays", name: "shadow rays", value: (row) => row.shadow_rays, cell: (row) => [count(row.shadow_rays)] },
-    { id: "efficiency", name: "efficiency", title: "1 / (MSE · seconds)", value: (row) => row.efficiency, cell: (row) => [number(row.efficiency)] },
-    { id: "best", name: "best", title: "no other is both faster and better", value: (row) => Number(isBest({ row })), cell: (row) => [isBest({ row }) ? "●" : ""] },
-    { id: "command", name: "command", text: true, value: (row) => row.command, cell: (row) => [command(row.command)] },
+    {
+      id: "rays",
+      name: "shadow rays",
+      value: (row) => row.shadow_rays,
+      cell: (row) => [count(row.shadow_rays)],
+    },
+    {
+      id: "efficiency",
+      name: "efficiency",
+      title: "1 / (MSE · seconds)",
+      value: (row) => row.efficiency,
+      cell: (row) => [number(row.efficiency)],
+    },
+    {
+      id: "best",
+      name: "best",
+      title: "no other is both faster and better",
+      value: (row) => Number(isBest({ row })),
+      cell: (row) => [isBest({ row }) ? "●" : ""],
+    },
+    {
+      id: "command",
+      name: "command",
+      text: true,
+      value: (row) => row.command,
+      cell: (row) => [command(row.command)],
+    },
   ];
 }
 
@@ -55,8 +89,16 @@ function showTable() {
   }
   const scene = currentScene();
   const shown = columns(scene);
-  const head = make("tr", {}, shown.map((column) => headCell(column)));
-  const body = make("tbody", {}, sorted(scene, shown).flatMap((index) => tableRow(scene, index, shown)));
+  const head = make(
+    "tr",
+    {},
+    shown.map((column) => headCell(column)),
+  );
+  const body = make(
+    "tbody",
+    {},
+    sorted(scene, shown).flatMap((index) => tableRow(scene, index, shown)),
+  );
   holder.replaceChildren(make("table", {}, make("thead", {}, head), body));
 }
 
@@ -77,7 +119,13 @@ function headCell(column) {
   const arrow = isSorted ? (tableState.down ? " ↓" : " ↑") : "";
   return make(
     "th",
-    { class: classes(column), scope: "col", title: column.title, "data-column": column.id, "aria-sort": isSorted ? direction : null },
+    {
+      class: classes(column),
+      scope: "col",
+      title: column.title,
+      "data-column": column.id,
+      "aria-sort": isSorted ? direction : null,
+    },
     make("button", { type: "button", onclick: sort }, column.name + arrow),
   );
 }
@@ -99,9 +147,27 @@ function sorted(scene, shown) {
 
 function settingCell(row, index) {
   const open = tableState.open.has(`${state.scene} ${index}`);
-  const fold = make("button", { class: "fold", type: "button", "aria-expanded": String(open), "aria-label": `Details of ${row.setting}`, onclick: (event) => toggleDetails(event, index) }, open ? "▾" : "▸");
+  const fold = make(
+    "button",
+    {
+      class: "fold",
+      type: "button",
+      "aria-expanded": String(open),
+      "aria-label": `Details of ${row.setting}`,
+      onclick: (event) => toggleDetails(event, index),
+    },
+    open ? "▾" : "▸",
+  );
   const scene = currentScene();
-  return [make("div", { class: "setting" }, fold, swatch(styleOf(scene, row.experiment)), make("span", {}, row.setting))];
+  return [
+    make(
+      "div",
+      { class: "setting" },
+      fold,
+      swatch(styleOf(scene, row.experiment)),
+      make("span", {}, row.setting),
+    ),
+  ];
 }
 
 function toggleDetails(event, index) {
@@ -123,7 +189,12 @@ function tableRow(scene, index, shown) {
 }
 
 function details(row) {
-  const list = (facts) => make("dl", {}, facts.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));
+  const list = (facts) =>
+    make(
+      "dl",
+      {},
+      facts.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]),
+    );
   return make("div", { class: "detail" }, list(phaseFacts(row)), list(countFacts(row)), command(row.command));
 }
 
@@ -132,7 +203,10 @@ function phaseFacts(row) {
   const most = Math.max(...phases.map(([, seconds]) => seconds));
   return phases.map(([name, seconds]) => {
     const width = most > 0 ? (7 * seconds) / most : 0;
-    return [name.replaceAll("_", " "), [make("span", { class: "phase", style: `width:${width}rem` }), `${number(seconds)} s`]];
+    return [
+      name.replaceAll("_", " "),
+      [make("span", { class: "phase", style: `width:${width}rem` }), `${number(seconds)} s`],
+    ];
   });
 }
 
@@ -159,5 +233,6 @@ function revealRow(change) {
   if (!("chosen" in change) || state.chosen === null) return;
   const line = byId("rows").querySelector("tr.chosen");
   const holder = byId("rows");
-  if (line && holder.scrollHeight > holder.clientHeight) holder.scrollTop = line.offsetTop - holder.clientHeight / 2;
+  if (line && holder.scrollHeight > holder.clientHeight)
+    holder.scrollTop = line.offsetTop - holder.clientHeight / 2;
 }

@@ -40,8 +40,14 @@ impl Axis {
 
     /// Where a value is drawn; at the nearer end where it lies outside, zero included.
     pub fn at(&self, value: f64) -> f64 {
+        let [from, to] = self.ends;
+        self.beyond(value).clamp(from.min(to), from.max(to))
+    }
+
+    /// Where a value is drawn, be it outside: for lines that are clipped.
+    pub fn beyond(&self, value: f64) -> f64 {
         let [low, high] = self.range.map(f64::ln);
-        let part = ((value.max(f64::MIN_POSITIVE).ln() - low) / (high - low)).clamp(0.0, 1.0);
+        let part = (value.max(f64::MIN_POSITIVE).ln() - low) / (high - low);
         self.ends[0] + part * (self.ends[1] - self.ends[0])
     }
 
@@ -50,15 +56,15 @@ impl Axis {
         (self.range[0]..=self.range[1]).contains(&value)
     }
 
-    /// Lines at 1 to 9 of every decade. Labels are at 1, 2 and 5 where there are at most two
-    /// decades, and else at powers of ten, never more than eight of them.
+    /// Lines at 1 to 9 of every decade. Labels are at 1, 2 and 5 where there are at most two and
+    /// a half decades, and else at powers of ten, never more than eight of them.
     pub fn ticks(&self) -> Vec<Tick> {
         let [low, high] = self.range.map(|value| value.log10().floor() as i32);
         let decades = (self.range[1] / self.range[0]).log10();
         let every = (decades / 8.0).ceil().max(1.0) as i32;
         let steps = (low..=high).flat_map(|decade| (1..10).map(move |digit| (decade, digit)));
         let ticks = steps.map(|(decade, digit)| {
-            let fine = decades <= 2.0 && matches!(digit, 1 | 2 | 5);
+            let fine = decades <= 2.5 && matches!(digit, 1 | 2 | 5);
             let labelled = fine || digit == 1 && decade.rem_euclid(every) == 0;
             let label = labelled.then(|| label(decade, digit));
             Tick { value: f64::from(digit) * 10_f64.powi(decade), label }

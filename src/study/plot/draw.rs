@@ -3,7 +3,7 @@
 use super::Style;
 
 /// A picture that grows.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Svg {
     body: String,
 }
@@ -25,6 +25,16 @@ const HEAD: &str = "<defs><pattern id=\"hatch\" width=\"7\" height=\"7\" \
 impl Svg {
     /// The radius of marks.
     const RADIUS: f64 = 4.6;
+
+    /// An empty picture; what is to be clipped is clipped to this box.
+    pub(super) fn new([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Self {
+        let (width, height) = (right - left, bottom - top);
+        let body = format!(
+            "<clipPath id=\"inside\"><rect x=\"{left:.2}\" y=\"{top:.2}\" \
+             width=\"{width:.2}\" height=\"{height:.2}\"/></clipPath>\n"
+        );
+        Self { body }
+    }
 
     /// The whole file, with a text for those who do not see it.
     pub(super) fn finish(self, [width, height]: [f64; 2], alternative: &str) -> String {
