@@ -140,7 +140,7 @@ impl Line {
 
 impl Metric {
     /// The error that a reference's noise makes, where it is known.
-    fn noise(self, noise: &Noise) -> Option<f64> {
+    pub(super) fn noise(self, noise: &Noise) -> Option<f64> {
         match self {
             Self::Rmse => Some(noise.rmse),
             Self::Nrmse => Some(noise.nrmse),

@@ -10,7 +10,7 @@ pub use style::Style;
 
 use draw::{Anchor, Svg, plain};
 
-use super::results::{Against, Curve, Fit, Metric, Noise, Reference, Row, SceneResults, Spread};
+use super::results::{Against, Curve, Fit, Metric, Reference, Row, SceneResults, Spread};
 
 /// The size of the picture above the legend, and the box that the axes span.
 const WIDTH: f64 = 760.0;
@@ -82,17 +82,10 @@ fn noises(
     metric: Metric,
     against: Against,
 ) -> impl Iterator<Item = (&Reference, f64)> {
-    let of = move |noise: Noise| match metric {
-        Metric::Rmse => Some(noise.rmse),
-        Metric::Nrmse => Some(noise.nrmse),
-        Metric::Relmse => Some(noise.relmse),
-        Metric::TileNrmse => noise.tile_nrmse,
-        _ => None,
-    };
     let total = against == Against::Total;
     let references = results.references.iter().filter(move |_| total);
     references
-        .filter_map(move |reference| Some((reference, of(reference.noise?)?)))
+        .filter_map(move |reference| Some((reference, metric.noise(reference.noise.as_ref()?)?)))
         .filter(|(_, noise)| noise.is_finite() && *noise > 0.0)
 }
 
@@ -194,8 +187,12 @@ impl Chart<'_> {
         let colour = style.light;
         svg.open(&format!("stroke=\"{colour}\" fill=\"{colour}\""));
         if let Some(fit) = self.fit(curve) {
-            let line: Vec<_> =
-                fit.line.iter().map(|&[x, y]| [self.x.beyond(x), self.y.beyond(y)]).collect();
+            let noise = self.noise_of(curve);
+            let place = |&[x, y]: &[f64; 2]| {
+                let seen = self.metric.sum(y, noise);
+                [self.x.beyond(x), self.y.beyond(seen)]
+            };
+            let line: Vec<_> = fit.line.iter().map(place).collect();
             svg.path(
                 &line,
                 "stroke-dasharray=\"5 4\" stroke-width=\"1.25\" clip-path=\"url(#inside)\"",
@@ -245,6 +242,13 @@ impl Chart<'_> {
         curve.fits.iter().find(|fit| fit.metric == self.metric && fit.against == self.against)
     }
 
+    /// The noise that is in a curve's errors.
+    fn noise_of(&self, curve: &Curve) -> f64 {
+        let of = |row| self.metric.noise(self.results.noise_of(row)?);
+        let noise = self.results.rows_of(curve).find_map(of).filter(|noise| noise.is_finite());
+        noise.filter(|_| self.against == Against::Total).unwrap_or(0.0)
+    }
+
     /// Returns where it ends.
     fn legend(&self, svg: &mut Svg) -> f64 {
         let mut y = LEGEND;
@@ -275,9 +279,19 @@ impl Chart<'_> {
             key.push("rings: no other row is both faster and better");
         }
         if self.results.experiments.iter().any(|curve| self.fit(curve).is_some()) {
-            key.push("dashed: fitted power law");
+            key.push("dashed: power law, and the reference's noise");
         }
         key.join(" · ")
+    }
+}
+
+impl Metric {
+    /// The error that two independent ones make together: squares add up, and relMSE is one.
+    fn sum(self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Relmse => a + b,
+            _ => a.hypot(b),
+        }
     }
 }
 

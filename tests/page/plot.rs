@@ -77,6 +77,18 @@ fn it_has_its_signs(browser: &mut Browser) {
     let legend = browser.text("document.querySelector('[data-curve=A] .fitted').textContent");
     assert_eq!(legend, "slope −1.00, floor 0.0010");
     assert_eq!(count(browser, "#fits tbody tr"), 2);
+    // The fit of B is of errors without the reference's noise: the line drawn lies above them
+    // by that, 3e-4 of 0.0022 at the slowest.
+    let last = browser.value(
+        "(line => [...line.points].map(({x, y}) => [x, y]))(document.querySelectorAll('#plot .fit')[1])",
+    );
+    let [x, y] = mark(browser, 10);
+    let line: Vec<[f64; 2]> = serde_json::from_value(last).expect("points");
+    let passes = |two: &&[[f64; 2]]| two[0][0] <= x && x < two[1][0];
+    let two = line.windows(2).find(passes).expect("the line passes the mark");
+    let part = (x - two[0][0]) / (two[1][0] - two[0][0]);
+    let over = y - (two[0][1] + part * (two[1][1] - two[0][1]));
+    assert!(over > 5.0, "the line is above the mark: {over}");
     browser.set("#metric", "rmse");
     assert_eq!(signs.map(|sign| count(browser, sign)), [1, 1, 0, 1]);
     browser.value("document.querySelector('[value=clustering]').click()");

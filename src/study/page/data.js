@@ -63,6 +63,18 @@ function noisesOf(scene, metric, against) {
   return noises.filter(({ noise }) => isNumber(noise) && noise > 0);
 }
 
+/// The noise that is in a curve's errors.
+function noiseIn(scene, curve) {
+  const row = scene.rows.find(({ experiment }) => experiment === curve.name);
+  const noises = noisesOf(scene, state.metric, state.against);
+  return noises.find(({ reference }) => reference.id === row?.reference)?.noise ?? 0;
+}
+
+/// The error that two independent ones make together: squares add up, and relMSE is one.
+function errorSum(a, b) {
+  return state.metric === "relmse" ? a + b : Math.hypot(a, b);
+}
+
 function isBest(point) {
   return state.against === "total" && point.row.pareto.includes(state.metric);
 }

@@ -142,14 +142,16 @@ function curveGroup(what, curve) {
   const fit = fitOf(curve, state.metric, state.against);
   const above = points.filter(({ error }) => !isBelow(what.y, error.mean));
   if (above.length > 1) group.append(polyline(above.map(place), { class: "link" }));
-  if (fit) group.append(fitLine(what, fit));
+  if (fit) group.append(fitLine(what, curve, fit));
   for (const point of points) group.append(errorBars(what, point, place(point)));
   for (const point of points) group.append(pointMark(what, point, place(point), style));
   return group;
 }
 
-function fitLine({ x, y }, { line }) {
-  const points = line.map(([seconds, error]) => [beyond(x, seconds), beyond(y, error)]);
+/// The fitted line is one without the reference's noise; points have it, and so the line drawn.
+function fitLine({ scene, x, y }, curve, { line }) {
+  const noise = noiseIn(scene, curve);
+  const points = line.map(([seconds, error]) => [beyond(x, seconds), beyond(y, errorSum(error, noise))]);
   return polyline(points, { class: "fit", "clip-path": "url(#inside)" });
 }
 

@@ -189,7 +189,7 @@ function keyToSigns(scene, points) {
     signs.push(key(draw("circle", { class: "ring", r: 6 }), "no other setting is both faster and better"));
   }
   if (scene.experiments.some((curve) => fitOf(curve, state.metric, state.against))) {
-    signs.push(key(draw("path", { class: "fit", d: "M-8 0H8" }), "fitted power law above a floor"));
+    signs.push(key(draw("path", { class: "fit", d: "M-8 0H8" }), "fitted power law, and the reference’s noise"));
   }
   const hidden = points.some(({ error }) => error.mean === 0);
   if (hidden)

@@ -195,7 +195,8 @@ function details(row) {
       {},
       facts.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]),
     );
-  return make("div", { class: "detail" }, list(phaseFacts(row)), list(countFacts(row)), command(row.command));
+  const options = row.options ? make("code", { class: "wide" }, words(row.options)) : null;
+  return make("div", { class: "detail" }, list(phaseFacts(row)), list(countFacts(row)), options, command(row.command));
 }
 
 function phaseFacts(row) {
@@ -222,7 +223,6 @@ function countFacts(row) {
     ["bound on G", number(row.clamp)],
     ["removed by it", `${number(100 * row.clamped_fraction)} %`],
     ["over vpl", row.speedup === null ? NOTHING : `${number(row.speedup)}×`],
-    ["options", row.options || NOTHING],
   ];
   const bad = row.total?.nonfinite;
   return bad ? [...facts, ["pixels not finite", count(bad)]] : facts;

@@ -134,6 +134,26 @@ fn there_is_a_point_for_each_row_with_the_error() {
 }
 
 #[test]
+fn the_fitted_line_has_the_noise_that_its_points_have() {
+    let lines = |reference: Option<&str>| {
+        let mut rows = vec![row("A", 1.0, Some(0.11)), row("A", 2.0, Some(0.06))];
+        for row in &mut rows {
+            row.reference = reference.map(str::to_owned);
+        }
+        let svg = drawn(rows, Metric::Relmse);
+        let path = |style: &str| {
+            let line = svg.lines().find(|line| line.contains(style)).unwrap();
+            line.split('"').nth(1).unwrap().to_owned()
+        };
+        [path("stroke-dasharray=\"5 4\""), path("stroke-opacity=\".55\"")]
+    };
+    let [fitted, points] = lines(Some("r"));
+    assert_eq!(fitted, points);
+    let [fitted, points] = lines(None);
+    assert_ne!(fitted, points);
+}
+
+#[test]
 fn what_only_another_metric_has_is_left_out() {
     let svg = drawn(three(), Metric::Flip);
     assert_eq!((points(&svg), svg.matches("<circle").count()), (2, 0));
