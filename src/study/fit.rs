@@ -6,7 +6,7 @@ use super::results::{Against, Curve, Fit, Metric, Noise, SceneResults};
 const LINE_POINTS: usize = 32;
 /// Rows that a fit needs, and that one with a floor needs.
 const LEAST_ROWS: usize = 3;
-const LEAST_ROWS_FOR_A_FLOOR: usize = 4;
+const LEAST_ROWS_FOR_A_FLOOR: usize = 5;
 /// Rows that are less apart in time, fastest to slowest, tell no slope.
 const LEAST_RANGE: f64 = 1.5;
 /// A floor has to leave so little of the squared residuals without one.

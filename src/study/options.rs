@@ -79,11 +79,13 @@ pub fn all(settings: &Settings) -> String {
     joined(&values(settings))
 }
 
-/// The method, and the options whose values are not its defaults.
+/// The options that trade time for error before all others, and those whose values are not the
+/// defaults of the method.
 pub fn changed(settings: &Settings) -> String {
+    const ALWAYS: [&str; 3] = ["method", "vpls", "samples"];
     let defaults = values(&Settings::of(settings.method));
     let mut changed = values(settings);
-    changed.retain(|value| value.0 == "method" || !defaults.contains(value));
+    changed.retain(|value| ALWAYS.contains(&value.0) || !defaults.contains(value));
     joined(&changed)
 }
 
@@ -150,8 +152,8 @@ mod tests {
     fn a_command_holds_what_is_no_default() {
         let settings = Settings { light_paths: 500, ..Settings::of(Method::Vpl) };
         let command = command("my scene.toml", &settings, [64, 32], 3);
-        let expected = "gpu-vpl render 'my scene.toml' --method vpl --vpls 500 --size 64x32 \
-                        --seed 3 -o vpl.exr";
+        let expected = "gpu-vpl render 'my scene.toml' --method vpl --vpls 500 \
+                        --samples 1 --size 64x32 --seed 3 -o vpl.exr";
         assert_eq!(command, expected);
         assert_eq!(quoted("it's"), r"'it'\''s'");
     }

@@ -38,7 +38,7 @@ pub fn quick(scenes: Vec<String>) -> Plan {
 fn methods() -> Vec<Experiment> {
     vec![
         over_paths("both", "clusters of visible points and of VPLs", Method::Both, &CLUSTERED),
-        over_paths("vpc", "clusters of visible points", Method::Vpc, &CLUSTERED[..3]),
+        over_paths("vpc", "clusters of visible points", Method::Vpc, &CLUSTERED[..4]),
         over_paths("vplc", "clusters of VPLs", Method::Vplc, &EVERY_POINT),
         over_paths("vpl", "every point from every VPL", Method::Vpl, &EVERY_POINT),
         over_samples("path", "path tracing", &SAMPLES),
@@ -46,7 +46,7 @@ fn methods() -> Vec<Experiment> {
 }
 
 /// Light paths where clusters of points make them cheap, and where they do not.
-const CLUSTERED: [u32; 4] = [500, 2000, 8000, 32000];
+const CLUSTERED: [u32; 5] = [125, 500, 2000, 8000, 32000];
 const EVERY_POINT: [u32; 3] = [250, 500, 1000];
 /// Samples of the path tracer.
 const SAMPLES: [u32; 3] = [4, 16, 64];
