@@ -184,6 +184,7 @@ fn what_cannot_be_studied_is_refused_in_a_line() {
     }
     let output = study(place.path(), "--preset quick -o out --adapter no-such-adapter --quiet");
     assert_eq!(output.status.code(), Some(3));
+    assert!(!place.path().join("out").exists());
 }
 
 #[test]

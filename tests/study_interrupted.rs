@@ -117,6 +117,8 @@ fn ctrl_c_writes_what_is_done() {
     assert!(!partial["scenes"][0]["rows"].as_array().unwrap().is_empty());
     let markdown = fs::read_to_string(out.join("study.md")).unwrap();
     assert!(markdown.contains("Interrupted: "));
+    let page = fs::read_to_string(out.join("study.html")).unwrap();
+    assert!(page.contains(&format!("\"finished\":{finished}")));
     let (code, stderr) = run(place.path(), &options);
     assert_eq!(code, Some(0), "{stderr}");
     assert_eq!(json(&out)["finished"], json(&out)["planned"]);

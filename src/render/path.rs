@@ -10,11 +10,11 @@ mod stages;
 
 use std::time::{Duration, Instant};
 
-use super::tile::blank;
+use super::tile::{blank, camera_params};
 use super::{Bounces, Counts, Direct, Frame, Phases, Prepared, Progress, Settings};
 use super::{film::BLOCK, visibility::dispatch_rays};
 use crate::gpu::{CameraParams, GpuError, PathParams, PathSum};
-use crate::sampling::{SURFACE_OFFSET, hash};
+use crate::sampling::SURFACE_OFFSET;
 use crate::scene::Camera;
 use estimate::Estimates;
 use stages::{RUN, Stages};
@@ -214,25 +214,12 @@ impl<'a> PathTracer<'a> {
     }
 
     fn camera_params(&self, wave: &Wave) -> CameraParams {
-        let camera = self.camera;
-        let [x, y] = camera.half_tangents();
         CameraParams {
-            position: camera.position.to_array(),
-            width: camera.size[0],
-            forward: camera.forward.to_array(),
-            height: camera.size[1],
-            right: (camera.right * x).to_array(),
             first_block: wave.first_block,
-            up: (camera.up * y).to_array(),
             sample: wave.first_sample,
-            samples: self.settings.samples,
-            seed: hash(self.seed ^ 0x68e3_1da4),
             blocks: wave.blocks,
-            nodes: self.prepared.bvh.nodes.len() as u32,
-            first_ray: 0,
             rays: wave.samples,
-            edge_rays: 0,
-            pad: 0,
+            ..camera_params(self.prepared, self.camera, self.settings.samples, self.seed)
         }
     }
 }

@@ -252,25 +252,12 @@ impl<'a> TileRenderer<'a> {
     }
 
     pub(super) fn camera_params(&self, tile: Tile) -> CameraParams {
-        let camera = self.camera;
-        let [x, y] = camera.half_tangents();
         CameraParams {
-            position: camera.position.to_array(),
-            width: camera.size[0],
-            forward: camera.forward.to_array(),
-            height: camera.size[1],
-            right: (camera.right * x).to_array(),
             first_block: tile.first_block,
-            up: (camera.up * y).to_array(),
             sample: tile.sample,
-            samples: self.settings.samples,
-            seed: hash(self.seed ^ 0x68e3_1da4),
             blocks: tile.blocks,
-            nodes: self.prepared.bvh.nodes.len() as u32,
-            first_ray: 0,
-            rays: 0,
             edge_rays: self.settings.edge_samples.div_ceil(self.settings.samples),
-            pad: 0,
+            ..camera_params(self.prepared, self.camera, self.settings.samples, self.seed)
         }
     }
 }
@@ -283,6 +270,28 @@ fn tiling(camera: &Camera, settings: &Settings) -> Tiling {
     match settings.interleaves() || settings.antialiases() {
         true => Tiling::of_rows(camera, blocks, settings.samples),
         false => Tiling::of_runs(camera, blocks, settings.samples),
+    }
+}
+
+/// What camera rays of all tiles share.
+pub fn camera_params(
+    prepared: &Prepared,
+    camera: &Camera,
+    samples: u32,
+    seed: u32,
+) -> CameraParams {
+    let [x, y] = camera.half_tangents();
+    CameraParams {
+        position: camera.position.to_array(),
+        width: camera.size[0],
+        forward: camera.forward.to_array(),
+        height: camera.size[1],
+        right: (camera.right * x).to_array(),
+        up: (camera.up * y).to_array(),
+        samples,
+        seed: hash(seed ^ 0x68e3_1da4),
+        nodes: prepared.bvh.nodes.len() as u32,
+        ..bytemuck::Zeroable::zeroed()
     }
 }
 

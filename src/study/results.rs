@@ -56,7 +56,7 @@ pub struct Reference {
     pub id: String,
     /// What it is, in words: "path, 4096 samples, 2 bounces", or a file.
     pub label: String,
-    /// The command that makes it; null for a file.
+    /// A command for an image like it, in one go; null for a file.
     pub command: Option<String>,
     /// Null for a file.
     pub samples: Option<u32>,

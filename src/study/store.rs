@@ -130,6 +130,19 @@ impl Store {
     }
 }
 
+impl Drop for Store {
+    /// A store in which nothing was ever kept leaves nothing behind.
+    fn drop(&mut self) {
+        let log = self.directory.join(Self::LOG);
+        if fs::metadata(&log).is_ok_and(|log| log.len() == 0) {
+            // What cannot be removed, directories that hold files first of all, stays.
+            let _ = fs::remove_dir(self.directory.join(Self::IMAGES))
+                .and_then(|()| fs::remove_file(log))
+                .and_then(|()| fs::remove_dir(&self.directory));
+        }
+    }
+}
+
 /// The lines that can be read; others are of another version, or were cut off.
 fn lines<M: DeserializeOwned>(text: &[u8]) -> impl Iterator<Item = Line<String, M>> {
     text.split(|byte| *byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok())
@@ -173,6 +186,9 @@ mod tests {
         let store = Store::open(place.path(), false).unwrap();
         assert_eq!((store.get("a"), store.get("c")), (Some(&measured), Some(&measured)));
         assert_eq!(Store::open(place.path(), true).unwrap().get("a"), None);
+        let nothing = place.path().join("nothing");
+        drop(Store::open(&nothing, false).unwrap());
+        assert!(!nothing.exists());
     }
 
     #[test]
