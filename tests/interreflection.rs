@@ -4,7 +4,7 @@ mod common;
 
 use std::f64::consts::PI;
 
-use common::{Build, frame, open_gpu};
+use common::{Build, frame, furnace, open_gpu};
 use glam::{DVec3, dvec3};
 use gpu_vpl::render::{Bounces, Clamp, Direct, Method, Prepared, Settings, light_paths};
 
@@ -16,15 +16,6 @@ fn settings(light_paths: u32, bounces: u32) -> Settings {
         light_samples: Some(1024),
         ..Settings::of(Method::Vpl)
     }
-}
-
-/// A closed box whose walls all emit and reflect, seen from inside.
-fn furnace(albedo: [f64; 3], emission: [f64; 3], scale: f64) -> Build {
-    let mut build = Build::at(scale, DVec3::ZERO);
-    let wall = build.material(albedo, emission, false);
-    build.cuboid(wall, dvec3(-1.0, -0.8, -0.6), dvec3(1.0, 0.8, 0.6), true);
-    build.camera(dvec3(-0.3, 0.2, 0.1), dvec3(1.0, 0.4, 0.2), 90.0, [32, 32]);
-    build
 }
 
 /// Emission, direct light and B bounces are B + 2 terms of a geometric series.

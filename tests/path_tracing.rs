@@ -4,8 +4,8 @@ mod common;
 
 use std::f64::consts::PI;
 
-use common::Build;
 use common::paths::{mean_and_error, settings};
+use common::{Build, furnace};
 use glam::{DVec3, dvec3};
 use gpu_vpl::render::{Bounces, Direct, Frame, Method, Settings};
 
@@ -20,15 +20,6 @@ fn assert_mean(frame: &Frame, expected: [f64; 3], what: &str) {
         let off = (mean - expected).abs();
         assert!(off <= most, "{what}, {channel}: {mean}, not {expected}, ± {error}");
     }
-}
-
-/// A closed box whose walls all emit and reflect.
-fn furnace(albedo: [f64; 3], emission: [f64; 3], scale: f64) -> Build {
-    let mut build = Build::at(scale, DVec3::ZERO);
-    let wall = build.material(albedo, emission, false);
-    build.cuboid(wall, dvec3(-1.0, -0.8, -0.6), dvec3(1.0, 0.8, 0.6), true);
-    build.camera(dvec3(-0.3, 0.2, 0.1), dvec3(1.0, 0.4, 0.2), 90.0, [32, 32]);
-    build
 }
 
 /// Emission, direct light and B bounces are B + 2 terms of a geometric series.

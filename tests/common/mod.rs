@@ -180,6 +180,15 @@ pub fn frame(prepared: &Prepared, settings: &Settings) -> Frame {
     render::frame(prepared, &camera, settings, 1, &|_, _| {}).expect("the frame renders")
 }
 
+/// A closed box whose walls all emit and reflect, seen from inside.
+pub fn furnace(albedo: [f64; 3], emission: [f64; 3], scale: f64) -> Build {
+    let mut build = Build::at(scale, DVec3::ZERO);
+    let wall = build.material(albedo, emission, false);
+    build.cuboid(wall, dvec3(-1.0, -0.8, -0.6), dvec3(1.0, 0.8, 0.6), true);
+    build.camera(dvec3(-0.3, 0.2, 0.1), dvec3(1.0, 0.4, 0.2), 90.0, [32, 32]);
+    build
+}
+
 /// A closed room [-1, 1]³ with a block in it, in three colours, seen from one corner: lit by a
 /// quad under the ceiling and a point light.
 pub fn room(scale: f64, offset: DVec3, size: [u32; 2]) -> Build {

@@ -1,7 +1,5 @@
 //! Studies that are broken off, and references that are not what they should be.
 
-#![expect(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
-
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
@@ -10,26 +8,14 @@ use std::time::{Duration, Instant};
 use gpu_vpl::image::{Image, exr, read};
 use serde_json::Value;
 
+use super::{command, json, stderr, study};
+
 const SWEEP: &str = "builtin:cornell --method both,vpl,path --vpls 20,200 --samples 4 \
                      --size 48x32 --seeds 3 --reference-samples 32 --clustering-seeds 3";
 
-fn study(directory: &Path, options: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_gpu-vpl"));
-    command
-        .arg("study")
-        .args(options.split_whitespace())
-        .env_remove("WGPU_ADAPTER_NAME")
-        .current_dir(directory);
-    command
-}
-
 fn run(directory: &Path, options: &str) -> (Option<i32>, String) {
-    let Output { status, stderr, .. } = study(directory, options).output().unwrap();
-    (status.code(), String::from_utf8(stderr).unwrap())
-}
-
-fn json(directory: &Path) -> Value {
-    serde_json::from_slice(&fs::read(directory.join("study.json")).unwrap()).unwrap()
+    let output = study(directory, options);
+    (output.status.code(), stderr(&output))
 }
 
 /// Without what time changes, and without the name of the directory.
@@ -78,7 +64,7 @@ fn a_killed_study_goes_on() {
     // In the midst of the reference, and in the midst of the rows.
     let log = place.path().join("killed/measured/measured.jsonl");
     for lines in [5, 22] {
-        let mut child = study(place.path(), &options).stderr(Stdio::null()).spawn().unwrap();
+        let mut child = command(place.path(), &options).stderr(Stdio::null()).spawn().unwrap();
         wait_for(&log, lines, &mut child);
         child.kill().unwrap();
         child.wait().unwrap();
@@ -102,7 +88,7 @@ fn a_killed_study_goes_on() {
 fn ctrl_c_writes_what_is_done() {
     let place = tempfile::tempdir().unwrap();
     let options = format!("{SWEEP} -o out");
-    let mut child = study(place.path(), &options).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = command(place.path(), &options).stderr(Stdio::piped()).spawn().unwrap();
     wait_for(&place.path().join("out/measured/measured.jsonl"), 20, &mut child);
     let pid = child.id().to_string();
     assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
@@ -157,24 +143,24 @@ fn a_wrong_reference_is_caught_and_named() {
         image.height = 63;
         image.pixels.truncate(64 * 63);
     });
-    let study = |reference: &str| {
+    let against = |reference: &str| {
         let options = "builtin:cornell --method both --vpls 20 --seeds 1";
         run(place.path(), &format!("{options} --size 64x64 --reference {reference} -o out"))
     };
 
-    let (code, stderr) = study("good.exr");
+    let (code, stderr) = against("good.exr");
     assert_eq!(code, Some(0), "{stderr}");
     assert!(!stderr.contains("warning"), "{stderr}");
-    let (code, stderr) = study("bright.exr");
+    let (code, stderr) = against("bright.exr");
     assert_eq!(code, Some(0), "{stderr}");
     let warning = stderr.lines().find(|line| line.starts_with("warning: bright.exr: it is "));
     assert!(warning.is_some_and(|line| line.contains(" % brighter than")), "{stderr}");
     let json = json(&place.path().join("out"));
     assert!(json["scenes"][0]["references"][0]["warnings"][0].as_str().unwrap().contains("bright"));
-    let (code, stderr) = study("nan.exr");
+    let (code, stderr) = against("nan.exr");
     assert_eq!(code, Some(2), "{stderr}");
     assert!(stderr.contains("nan.exr: pixel (7, 5) is not finite"), "{stderr}");
-    let (code, stderr) = study("small.exr");
+    let (code, stderr) = against("small.exr");
     assert_eq!(code, Some(2), "{stderr}");
     assert!(stderr.contains("small.exr: it is 64 x 63 pixels"), "{stderr}");
 }
