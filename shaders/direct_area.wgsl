@@ -12,12 +12,13 @@ fn main(
     let stream = hash(hash(params.first_block * 64u + id.x) + params.seed);
     var sum = vec3f(0.0);
     for (var i = params.first; i < params.first + params.count; i++) {
-        // The i-th of the point's strata, and in it that of the sample of the pixel.
-        let u = stratified(i * params.samples + params.sample, params.weight, stream);
-        let light = sample_area_light(point, u, params.lights, params.offset);
+        let drawn = draw_light(point, i, stream);
+        let light = drawn.light;
         let limit = select(0.0, 1.0, is && light.faces);
         let hit = traverse(origin, light.end - origin, limit, params.nodes, true, invocation);
-        if limit > 0.0 && hit.triangle == NOTHING { sum += light.radiance * (light.geometry / light.density); }
+        if limit > 0.0 && hit.triangle == NOTHING { 
+            sum += light.radiance * (light.geometry * drawn.weight);
+        }
     }
     if is { irradiance[id.x] += vec4f(sum * params.share, 0.0); }
 }

@@ -136,6 +136,36 @@ fn a_quad_light_by_lamberts_formula() {
     }
 }
 
+/// A square lamp that shines down; the i-th of 8 × 8.
+fn small_lamp(i: u32) -> [DVec3; 4] {
+    let at = |i: u32| 0.5 * (f64::from(i) - 3.5);
+    let center = dvec3(at(i % 8), at(i / 8), 0.5);
+    let corner = |x: f64, y: f64| center + dvec3(x, y, 0.0);
+    // Counter-clockwise from below.
+    [corner(-0.1, -0.1), corner(-0.1, 0.1), corner(0.1, 0.1), corner(0.1, -0.1)]
+}
+
+/// Each point has its light from few of them, the others have more power: by power alone, 64
+/// samples are off by tens of per cent.
+#[test]
+fn many_lamps_of_different_power() {
+    let (height, fov, size) = (0.45, 130.0, 16);
+    let seen = seen(height, fov, size);
+    let radiance = |i: u32| f64::from(1 + i * i % 7);
+    let expected = |x, y| {
+        let light = |i| radiance(i) * lambert(&small_lamp(i), seen(x, y), DVec3::Z);
+        ALBEDO[0] / PI * (0..64).map(light).sum::<f64>()
+    };
+    for (scale, (samples, tolerance)) in SCALES.into_iter().zip([(64, 0.1), (4096, 5e-3)]) {
+        let mut build = plane(scale, height, fov, size);
+        for i in 0..64 {
+            let lamp = build.material([0.0; 3], [radiance(i); 3], false);
+            build.polygon(lamp, &small_lamp(i));
+        }
+        assert_image(&build.render(&direct(samples)), tolerance, expected);
+    }
+}
+
 /// The back of a one-sided light is dark and lights nothing.
 #[test]
 fn sides_of_lights() {

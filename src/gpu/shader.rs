@@ -53,6 +53,8 @@ pub mod module {
         POINT_LIGHT = "point_light" for "point lights";
         AREA_LIGHT = "area_light" for "area lights";
         DIRECT_POINT = "direct_point" for "point lights";
+        DRAW_ONE = "draw_one" for "area lights";
+        DRAW_RESAMPLED = "draw_resampled" for "many area lights";
         DIRECT_AREA = "direct_area" for "area lights";
         VISIBILITY = "visibility" for "indirect light";
         BITS = "bits" for "indirect light";

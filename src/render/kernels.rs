@@ -7,11 +7,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
     ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT, DIRECT_AREA,
-    DIRECT_POINT, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER, HIT_POINT, INTERLEAVED,
-    ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, POINT_LIGHT, RAY,
-    REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE,
-    SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED,
-    TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER,
+    HIT_POINT, INTERLEAVED, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED,
+    PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY,
+    SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
+    SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY,
+    VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -42,11 +43,20 @@ pub fn direct_point(subgroups: bool) -> Program {
     Program { label: "direct light, points", modules }
 }
 
-/// Direct light from emitting triangles.
-pub fn direct_area(subgroups: bool) -> Program {
+/// Direct light from emitting triangles: from many, those that give much are sought out.
+pub fn direct_area(subgroups: bool, many: bool) -> Program {
+    let draw = if many { &DRAW_RESAMPLED } else { &DRAW_ONE };
     let mut modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &DIRECT];
-    modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, &DIRECT_AREA]);
+    modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, draw, &DIRECT_AREA]);
     Program { label: "direct light, areas", modules }
+}
+
+/// The program for direct light from the emitting triangles of a scene.
+pub fn direct_area_for(prepared: &Prepared) -> Program {
+    /// A lamp or two, of which all points see much the same.
+    const FEW_LIGHTS: usize = 16;
+    let many = prepared.lights.area.len() > FEW_LIGHTS;
+    direct_area(prepared.gpu.has_subgroups(), many)
 }
 
 /// How the shadow rays between points and VPLs are traced.
@@ -214,7 +224,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     match settings.direct {
         Direct::PerPixel => {
             programs.extend(points.then(|| direct_point(subgroups)));
-            programs.extend(areas.then(|| direct_area(subgroups)));
+            programs.extend(areas.then(|| direct_area_for(prepared)));
             programs.push(reflect());
         }
         Direct::Clustered => {
@@ -294,7 +304,8 @@ pub fn all_programs() -> Vec<Program> {
     }
     for subgroups in [false, true] {
         programs.extend([visible_points(subgroups), antialias(subgroups)]);
-        programs.extend([direct_point(subgroups), direct_area(subgroups)]);
+        programs.push(direct_point(subgroups));
+        programs.extend([false, true].map(|many| direct_area(subgroups, many)));
         let sharing = [Sharing::Cluster, Sharing::Fuzzy];
         programs.extend(sharing.map(|sharing| shade(subgroups, false, sharing, Emitter::Point)));
         for bounded in [false, true] {

@@ -131,7 +131,7 @@ impl Stages {
             show: kernels::show(settings.method).map(bind).transpose()?,
             emit: when(lit && area_lights.is_some(), kernels::emit())?,
             direct_point: with_lights(point_lights, kernels::direct_point(subgroups))?,
-            direct_area: with_lights(area_lights, kernels::direct_area(subgroups))?,
+            direct_area: with_lights(area_lights, kernels::direct_area_for(prepared))?,
             reflect: when(gathers, kernels::reflect())?,
             removed: when(clamps, kernels::removed())?,
             buffers,
