@@ -202,12 +202,11 @@ fn split_glb(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     let bytes = bytes
         .get(12..length as usize)
         .ok_or_else(|| format!("its header says {length} bytes, {there} are there: {TRUNCATED}"))?;
-    let (kind, json, rest) = chunk(bytes)?;
+    let (kind, json, mut rest) = chunk(bytes)?;
     if kind != *b"JSON" {
         return Err("a GLB that does not begin with its JSON; export it again".to_owned());
     }
     // A chunk of another kind is an extension's.
-    let mut rest = rest;
     while !rest.is_empty() {
         let (kind, content, after) = chunk(rest)?;
         if kind == *b"BIN\0" {
@@ -218,8 +217,11 @@ fn split_glb(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     Ok((json, None))
 }
 
-/// The kind and content of the first chunk, and what follows it.
-fn chunk(bytes: &[u8]) -> Result<([u8; 4], &[u8], &[u8]), String> {
+/// The kind and content of a chunk, and what follows it.
+type Chunk<'a> = ([u8; 4], &'a [u8], &'a [u8]);
+
+/// The first chunk.
+fn chunk(bytes: &[u8]) -> Result<Chunk<'_>, String> {
     let length = word(bytes, 0).ok_or(TRUNCATED)? as usize;
     let kind = word(bytes, 4).ok_or(TRUNCATED)?.to_le_bytes();
     let (content, rest) = bytes[8..].split_at_checked(length).ok_or(TRUNCATED)?;

@@ -67,7 +67,7 @@ impl<'a> Surfaces<'a> {
         }
         let vertex = |element: usize| {
             let element = indices.as_ref().map_or(Ok(element), |indices| indices.index(element))?;
-            self.source_checked(transform.transform_point3(positions.vector(element)?))
+            self.finite(transform.transform_point3(positions.vector(element)?))
         };
         let mirrored = transform.matrix3.determinant() < 0.0;
         let mut triangles = Vec::new();
@@ -82,7 +82,7 @@ impl<'a> Surfaces<'a> {
         Ok(())
     }
 
-    fn source_checked(&self, position: DVec3) -> Result<DVec3, SceneError> {
+    fn finite(&self, position: DVec3) -> Result<DVec3, SceneError> {
         match position.is_finite() {
             true => Ok(position),
             false => Err(self.source.fault("a node moves vertices to infinity; export it again")),
