@@ -5,10 +5,12 @@
 //! it ([`Units`]) and only then rounds to f32, so that neither the scene's size nor its
 //! distance from the origin changes the image.
 
+mod bare;
 mod builtin;
 mod camera;
 pub(crate) mod document;
 mod draft;
+mod gltf;
 mod mtl;
 mod normalise;
 mod obj;
@@ -131,7 +133,7 @@ impl Warning {
 }
 
 impl Scene {
-    /// Reads a scene: `builtin:NAME`, a `.toml` scene file or a bare `.obj`.
+    /// Reads a scene: `builtin:NAME`, a `.toml` scene file, a glTF file or a bare `.obj`.
     ///
     /// # Errors
     /// The file is missing, malformed, or names something that is not supported.
@@ -143,12 +145,10 @@ impl Scene {
         match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
             Some("toml") => toml::load(path),
             Some("obj") => obj::load_bare(path),
-            Some("gltf" | "glb") => {
-                Err(SceneError::new(path, "glTF is not supported yet; convert it to .obj"))
-            }
+            Some("gltf" | "glb") => gltf::load_bare(path),
             _ => Err(SceneError::new(
                 path,
-                "unknown kind of scene; give a .toml scene file, an .obj or builtin:NAME",
+                "unknown kind of scene; give a .toml scene file, an .obj, .gltf, .glb or builtin:NAME",
             )),
         }
     }

@@ -15,7 +15,7 @@ use crate::scene::{BUILTIN_SCENES, Scene, Units};
 /// The options of `info`.
 #[derive(Debug, Args)]
 pub struct InfoArgs {
-    /// A .toml scene file, a bare .obj, or builtin:NAME
+    /// A .toml scene file, a bare .obj, .gltf or .glb, or builtin:NAME
     scene: Option<String>,
 
     /// Print JSON

@@ -1,6 +1,5 @@
 //! Wavefront OBJ: [`scan`] checks the text, `tobj` reads the polygons, [`polygon`] cuts them.
 
-mod bare;
 mod scan;
 
 use std::collections::HashMap;
@@ -8,10 +7,8 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
-pub use bare::load as load_bare;
-
 use super::mtl::{self, MtlMaterial};
-use super::{Draft, DraftMaterial, Origin, Warning, polygon};
+use super::{Draft, DraftMaterial, Origin, Scene, Warning, bare, polygon};
 use crate::error::SceneError;
 use scan::{Named, Scan};
 
@@ -30,6 +27,13 @@ pub struct Mesh {
     missing: Vec<Named>,
     file: PathBuf,
     warnings: Vec<Warning>,
+}
+
+/// Loads a mesh without a scene file.
+pub fn load_bare(path: &Path) -> Result<Scene, SceneError> {
+    let mut draft = Draft::new(path.display().to_string());
+    read(path)?.add_to(&mut draft, &HashMap::new(), |corners| corners)?;
+    bare::finish(draft, path)
 }
 
 /// Reads a file as text: bytes that are no UTF-8 are replaced, lines end in '\n'.

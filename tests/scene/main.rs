@@ -4,6 +4,7 @@
 
 mod builtin;
 mod fuzz;
+mod gltf;
 mod mtl;
 mod obj;
 mod toml;
@@ -23,9 +24,15 @@ pub const CAMERA: &str = "[camera]\nposition = [0, 0, 5]\ntarget = [0, 0, 0]\nfo
 
 /// Loads the first of some files that lie in one directory; paths in messages lose it.
 pub fn load(files: &[(&str, &str)]) -> Result<Scene, SceneError> {
+    let files: Vec<_> = files.iter().map(|&(name, text)| (name, text.as_bytes())).collect();
+    load_bytes(&files)
+}
+
+/// [`load`], of files that need not be text.
+pub fn load_bytes(files: &[(&str, &[u8])]) -> Result<Scene, SceneError> {
     let directory = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        std::fs::write(directory.path().join(name), text).unwrap();
+    for (name, bytes) in files {
+        std::fs::write(directory.path().join(name), bytes).unwrap();
     }
     let mut result = Scene::load(directory.path().join(files[0].0).to_str().unwrap());
     let prefix = format!("{}/", directory.path().display());

@@ -196,7 +196,7 @@ fn meshes_that_cannot_be_read_are_refused() {
     let mesh = |text: &str| load_toml(&format!("{CAMERA}[[mesh]]\n{text}"));
     refused(mesh("material = \"one\"\n"), "scene.toml:5", "`file` is missing");
     refused(mesh("file = \"gone.obj\"\n"), "scene.toml:6", "gone.obj, which is not there");
-    refused(mesh("file = \"a.glb\"\n"), "scene.toml:6", "not supported yet");
+    refused(mesh("file = \"a.glb\"\n"), "scene.toml:6", "a.glb, which is not there");
     refused(mesh("file = \"a.ply\"\n"), "scene.toml:6", "unknown kind of mesh");
     let text = format!("{CAMERA}[[mesh]]\nfile = \"bad.obj\"\n");
     let files = [("scene.toml", text.as_str()), ("bad.obj", "v 0 0 0\nf 1 2 3\n")];

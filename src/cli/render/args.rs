@@ -11,7 +11,7 @@ use crate::render::{Bounces, Clamp, Clustering, Direct, Merge, Method, Represent
 
 #[derive(Debug, Args)]
 pub struct RenderArgs {
-    /// A .toml scene file, a bare .obj, or builtin:NAME (see `gpu-vpl info`)
+    /// A .toml scene file, a bare .obj, .gltf or .glb, or builtin:NAME (see `gpu-vpl info`)
     #[arg(default_value = "builtin:cornell")]
     pub scene: String,
 

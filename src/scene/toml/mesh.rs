@@ -7,6 +7,7 @@ use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, EulerRot};
 
 use crate::error::SceneError;
 use crate::scene::document::{Section, Value};
+use crate::scene::gltf::{self, Gltf};
 use crate::scene::{Draft, obj};
 
 /// Least volume that a transform may make of a unit cube, over that of the box with edges
@@ -37,27 +38,66 @@ pub fn read(
         None => mesh.library_material(draft, name)?,
     };
     let Some(index) = index else {
-        let what = format!("names no material: `{name}` is not in [materials], nor in the MTL");
+        let what =
+            format!("names no material: `{name}` is not in [materials], nor among the mesh's own");
         return Err(material.fault(&what));
     };
     mesh.add_all_of(draft, index, place);
     Ok(())
 }
 
-fn load(section: &Section) -> Result<obj::Mesh, SceneError> {
+/// A mesh of any format. The camera and lights of a glTF file are not used: the scene file
+/// has its own.
+enum Mesh {
+    Obj(obj::Mesh),
+    Gltf(Box<Gltf>),
+}
+
+impl Mesh {
+    fn add_to(
+        self,
+        draft: &mut Draft,
+        overrides: &HashMap<String, u32>,
+        place: impl Fn([DVec3; 3]) -> [DVec3; 3],
+    ) -> Result<(), SceneError> {
+        match self {
+            Self::Obj(mesh) => mesh.add_to(draft, overrides, place),
+            Self::Gltf(mesh) => mesh.add_to(draft, overrides, place),
+        }
+    }
+
+    fn add_all_of(
+        self,
+        draft: &mut Draft,
+        material: u32,
+        place: impl Fn([DVec3; 3]) -> [DVec3; 3],
+    ) {
+        match self {
+            Self::Obj(mesh) => mesh.add_all_of(draft, material, place),
+            Self::Gltf(mesh) => mesh.add_all_of(draft, material, place),
+        }
+    }
+
+    fn library_material(&self, draft: &mut Draft, name: &str) -> Result<Option<u32>, SceneError> {
+        match self {
+            Self::Obj(mesh) => mesh.library_material(draft, name),
+            Self::Gltf(mesh) => mesh.library_material(draft, name),
+        }
+    }
+}
+
+fn load(section: &Section) -> Result<Mesh, SceneError> {
     let file = section.required("file")?;
     let name = file.string()?;
     let path = section.file().parent().unwrap_or(Path::new("")).join(name);
     let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
     match extension.as_deref() {
-        Some("obj") if !path.exists() => {
+        Some("obj" | "gltf" | "glb") if !path.exists() => {
             Err(file.fault(&format!("names {}, which is not there", path.display())))
         }
-        Some("obj") => obj::read(&path),
-        Some("gltf" | "glb") => {
-            Err(file.fault("names glTF, which is not supported yet; convert it to .obj"))
-        }
-        _ => Err(file.fault("names an unknown kind of mesh; give an .obj")),
+        Some("obj") => obj::read(&path).map(Mesh::Obj),
+        Some("gltf" | "glb") => gltf::read(&path).map(|mesh| Mesh::Gltf(Box::new(mesh))),
+        _ => Err(file.fault("names an unknown kind of mesh; give an .obj, .gltf or .glb")),
     }
 }
 
