@@ -30,7 +30,7 @@ enum Command {
     Render(Box<render::RenderArgs>),
     /// List adapters and built-in scenes; say what a scene holds
     Info(info::InfoArgs),
-    /// Run the thesis's experiments: error against run time, as tables
+    /// Measure error against run time: tables, plots and a page
     Study(study::StudyArgs),
     /// Measure how far an image is from a reference
     Compare(compare::CompareArgs),
