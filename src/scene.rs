@@ -10,20 +10,24 @@ mod builtin;
 mod camera;
 pub(crate) mod document;
 mod draft;
+pub mod environment;
 mod gltf;
 mod mtl;
 mod normalise;
 mod obj;
 mod polygon;
+mod texture;
 mod toml;
 
 use std::path::Path;
 
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 pub use builtin::BUILTIN_SCENES;
 pub use camera::{Camera, FovAxis};
-pub use draft::{Draft, DraftCamera, DraftMaterial, Origin};
+pub use draft::{Draft, DraftCamera, DraftMaterial, DraftSphere, DraftSpot, Origin};
+pub use environment::{Environment, EnvironmentImage};
+pub use texture::{Texels, Texture, Wrap};
 
 use crate::error::{SceneError, one_line};
 
@@ -38,10 +42,22 @@ pub struct Scene {
     pub exposure: f32,
     /// All triangles, wound counter-clockwise seen from the side of their normal.
     pub triangles: Vec<Triangle>,
-    /// What the triangles are made of.
+    /// Texture coordinates of the corners of each triangle; none where no material has a texture.
+    pub uvs: Vec<[Vec2; 3]>,
+    /// All spheres.
+    pub spheres: Vec<Sphere>,
+    /// What triangles and spheres are made of.
     pub materials: Vec<Material>,
-    /// Point lights; area lights are the triangles of emitting materials.
+    /// What materials vary by.
+    pub textures: Vec<Texture>,
+    /// The images of the textures.
+    pub images: Vec<Texels>,
+    /// Point and spot lights; area lights are the triangles and spheres of emitting materials.
     pub point_lights: Vec<PointLight>,
+    /// Lights infinitely far away, in one direction each.
+    pub directional_lights: Vec<DirectionalLight>,
+    /// Light from all directions.
+    pub environment: Option<Environment>,
     /// How to get back to the units of the file.
     pub units: Units,
     /// Triangles left out because they have no area.
@@ -72,23 +88,84 @@ impl Triangle {
     }
 }
 
-/// A diffuse surface, lit on both sides, that may emit.
+/// A sphere. Its normal points outwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sphere {
+    /// The centre.
+    pub center: Vec3,
+    /// The radius.
+    pub radius: f32,
+    /// Index into [`Scene::materials`].
+    pub material: u32,
+}
+
+/// How a surface reflects beside its diffuse part.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Finish {
+    /// Not at all: the BRDF is ρ / π.
+    #[default]
+    Diffuse,
+    /// Modified Phong (Lafortune and Willems, "Using the Modified Phong Reflectance Model for
+    /// Physically Based Rendering", 1994): the BRDF is ρ / π + k_s (n + 2) / 2π cosⁿ α, with α
+    /// the angle from the mirrored direction.
+    Phong {
+        /// k_s per channel; with the albedo at most 1.
+        specular: Vec3,
+        /// n.
+        shininess: f32,
+    },
+    /// An ideal mirror.
+    Mirror {
+        /// Reflectance per channel.
+        specular: Vec3,
+    },
+    /// A smooth dielectric, the inside behind its normal.
+    Glass {
+        /// What of the light goes on, per channel, reflected or refracted.
+        specular: Vec3,
+        /// Index of refraction of the inside over that of the outside.
+        ior: f32,
+    },
+}
+
+impl Finish {
+    /// Whether light is reflected or refracted into single directions only.
+    pub fn is_specular(&self) -> bool {
+        matches!(self, Self::Mirror { .. } | Self::Glass { .. })
+    }
+}
+
+/// A surface, lit on both sides, that may emit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
     /// The name it has in the files.
     pub name: String,
-    /// Reflectance ρ per channel, in [0, 1]; the BRDF is ρ / π.
+    /// Diffuse reflectance ρ per channel, in [0, 1]; the BRDF is ρ / π, and what its finish adds.
     pub albedo: Vec3,
+    /// Index into [`Scene::textures`] of what the albedo is multiplied by.
+    pub texture: Option<u32>,
+    /// Index into [`Scene::textures`] of the texture where whose alpha is below one half there is
+    /// no surface.
+    pub cutout: Option<u32>,
+    /// How it reflects beside its diffuse part.
+    pub finish: Finish,
     /// Emitted radiance [W sr⁻¹ m⁻²].
     pub emission: Vec3,
+    /// Index into [`Scene::textures`] of what the emission is multiplied by.
+    pub emission_texture: Option<u32>,
     /// Whether both sides emit, or only that of the geometric normal.
     pub two_sided: bool,
 }
 
 impl Material {
-    /// Whether its triangles are area lights.
+    /// Whether its triangles and spheres are area lights.
     pub fn emits(&self) -> bool {
         self.emission.max_element() > 0.0
+    }
+
+    /// Indices of its textures.
+    pub fn textures(&self) -> impl Iterator<Item = u32> + use<> {
+        [self.texture, self.cutout, self.emission_texture].into_iter().flatten()
     }
 }
 
@@ -100,6 +177,29 @@ pub struct PointLight {
     /// Radiant intensity, in W sr⁻¹ over [`Units::scale`] squared, so that intensity over
     /// normalised distance squared is irradiance.
     pub intensity: Vec3,
+    /// Of a spot light, where it shines.
+    pub cone: Option<Cone>,
+}
+
+/// The cone of a spot light: its intensity is multiplied by the square of a ramp in the cosine
+/// of the angle to its axis, which is 1 up to the inner angle, and 0 from the outer one on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone {
+    /// Unit vector along its axis, away from the light.
+    pub axis: Vec3,
+    /// Cosine of the angle within which it shines in full.
+    pub cos_inner: f32,
+    /// Cosine of the angle beyond which it doesn't; less than `cos_inner`.
+    pub cos_outer: f32,
+}
+
+/// A light infinitely far away.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DirectionalLight {
+    /// Unit vector along which its light goes.
+    pub direction: Vec3,
+    /// Irradiance of a surface across it [W m⁻²].
+    pub irradiance: Vec3,
 }
 
 /// The map between the file's units and the normalised ones: file = center + scale · normalised.
@@ -151,6 +251,16 @@ impl Scene {
                 "unknown kind of scene; give a .toml scene file, an .obj, .gltf, .glb or builtin:NAME",
             )),
         }
+    }
+
+    /// Whether any light is not black.
+    pub fn is_lit(&self) -> bool {
+        let sphere = |sphere: &Sphere| self.materials[sphere.material as usize].emits();
+        self.point_lights.iter().any(|light| light.intensity.max_element() > 0.0)
+            || self.directional_lights.iter().any(|light| light.irradiance.max_element() > 0.0)
+            || self.environment.as_ref().is_some_and(Environment::shines)
+            || self.emitters().next().is_some()
+            || self.spheres.iter().any(sphere)
     }
 
     /// Indices of the triangles that emit, in order.

@@ -50,8 +50,11 @@ fn frame(center: DVec3, radius: f64, path: &Path) -> DraftCamera {
 fn is_lit(draft: &Draft) -> bool {
     let emits =
         |&(_, material): &(_, u32)| draft.materials[material as usize].emission.max_element() > 0.0;
-    let shines = |(_, intensity): &(DVec3, DVec3)| intensity.max_element() > 0.0;
-    draft.triangles.iter().any(emits) || draft.point_lights.iter().any(shines)
+    let shines = |(_, power): &(DVec3, DVec3)| power.max_element() > 0.0;
+    draft.triangles.iter().any(emits)
+        || draft.point_lights.iter().any(shines)
+        || draft.spot_lights.iter().any(|spot| spot.intensity.max_element() > 0.0)
+        || draft.directional_lights.iter().any(shines)
 }
 
 /// The centre of the bounds, and the distance of the farthest corner from it.

@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
-use glam::DVec3;
+use glam::{DVec3, Vec2, Vec3};
 
-use super::{FovAxis, Material, Scene, Warning, camera, normalise};
+use super::{
+    Environment, Finish, FovAxis, Material, Scene, Texels, Texture, Warning, camera, normalise,
+};
 use crate::error::SceneError;
 
 /// Triangles, materials, lights and camera as a file gives them. Loaders fill it;
@@ -19,10 +21,25 @@ pub struct Draft {
     pub camera: Option<DraftCamera>,
     /// Corners in the file's units, and the material's index.
     pub triangles: Vec<([DVec3; 3], u32)>,
+    /// Texture coordinates of the corners of the triangles, from the image's top left; what lacks
+    /// at the end is 0.
+    pub uvs: Vec<[Vec2; 3]>,
+    /// All spheres.
+    pub spheres: Vec<DraftSphere>,
     /// All materials met so far.
     pub materials: Vec<DraftMaterial>,
+    /// What materials vary by.
+    pub textures: Vec<Texture>,
+    /// The images of the textures.
+    pub images: Vec<Texels>,
     /// Position, and intensity in W/sr.
     pub point_lights: Vec<(DVec3, DVec3)>,
+    /// Lights that shine into a cone.
+    pub spot_lights: Vec<DraftSpot>,
+    /// Direction in which the light goes, of any length, and irradiance in W/m².
+    pub directional_lights: Vec<(DVec3, DVec3)>,
+    /// Light from all directions.
+    pub environment: Option<Environment>,
     /// What the user should know.
     pub warnings: Vec<Warning>,
 }
@@ -75,15 +92,47 @@ pub struct DraftCamera {
     pub origin: Origin,
 }
 
-/// A diffuse, perhaps emitting material in f64.
+/// A sphere in the file's units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DraftSphere {
+    /// The centre.
+    pub center: DVec3,
+    /// The radius.
+    pub radius: f64,
+    /// The material's index.
+    pub material: u32,
+}
+
+/// A spot light in the file's units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DraftSpot {
+    /// Where it is.
+    pub position: DVec3,
+    /// Where it points, of any length.
+    pub direction: DVec3,
+    /// Intensity along its axis in W/sr.
+    pub intensity: DVec3,
+    /// Angles in degrees between the axis and where it begins to fade, and where it ends.
+    pub angles: [f64; 2],
+}
+
+/// A material in f64.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DraftMaterial {
     /// Its name in the files.
     pub name: String,
-    /// Reflectance per channel.
+    /// Diffuse reflectance per channel.
     pub albedo: DVec3,
+    /// The texture that the albedo is multiplied by.
+    pub texture: Option<u32>,
+    /// The texture whose alpha below one half is no surface.
+    pub cutout: Option<u32>,
+    /// How it reflects beside its diffuse part.
+    pub finish: Finish,
     /// Emitted radiance.
     pub emission: DVec3,
+    /// The texture that the emission is multiplied by.
+    pub emission_texture: Option<u32>,
     /// Whether both sides emit.
     pub two_sided: bool,
     /// Where it was described.
@@ -121,8 +170,11 @@ impl Draft {
         let draft_camera = self.camera.take().ok_or_else(|| {
             origin.error("no camera: add a [camera] table with position, target and fov")
         })?;
-        let mesh = normalise::triangles(&origin, &self.triangles, &materials)?;
-        let point_lights = normalise::point_lights(&origin, &self.point_lights, &mesh.units)?;
+        self.uvs.resize(self.triangles.len(), [Vec2::ZERO; 3]);
+        let mesh = normalise::shapes(&origin, &self, &materials)?;
+        let point_lights = normalise::point_lights(&origin, &self, &mesh.units)?;
+        let directional_lights = normalise::directional_lights(&origin, &self.directional_lights)?;
+        let textured = materials.iter().any(|material| material.textures().next().is_some());
         let mut warnings = self.warnings;
         warnings.extend(mesh.warnings);
         let scene = Scene {
@@ -130,15 +182,19 @@ impl Draft {
             camera: camera::finish(&draft_camera, &mesh.units)?,
             exposure: self.exposure as f32,
             triangles: mesh.triangles,
+            uvs: if textured { mesh.uvs } else { Vec::new() },
+            spheres: mesh.spheres,
             materials,
+            textures: self.textures,
+            images: self.images,
             point_lights,
+            directional_lights,
+            environment: self.environment,
             units: mesh.units,
             dropped_triangles: mesh.dropped,
             warnings,
         };
-        let lit = scene.point_lights.iter().any(|light| light.intensity.max_element() > 0.0)
-            || scene.emitters().next().is_some();
-        if !lit {
+        if !scene.is_lit() {
             return Err(origin.error(
                 "no light: add a [[light]], or a material with an emission, that is not black",
             ));
@@ -161,12 +217,47 @@ impl DraftMaterial {
         if !is_power(self.emission) {
             return Err(fault("emission", self.emission, "a finite radiance of 0 or more"));
         }
+        let finish = self.finish;
+        if let Some(what) = impossible(&finish, normalise::round(self.albedo)) {
+            return Err(self.origin.error(format!("material `{}`: {what}", self.name)));
+        }
         Ok(Material {
             name: self.name.clone(),
             albedo: normalise::round(self.albedo),
+            texture: self.texture,
+            cutout: self.cutout,
+            finish,
             emission: normalise::round(self.emission),
+            emission_texture: self.emission_texture,
             two_sided: self.two_sided,
         })
+    }
+}
+
+/// What is wrong with a finish over a diffuse albedo.
+fn impossible(finish: &Finish, albedo: Vec3) -> Option<&'static str> {
+    /// What the sum of two rounded reflectances may exceed 1 by.
+    const ROUNDING: f32 = 1e-5;
+    let within = |color: Vec3| color.to_array().iter().all(|c| (0.0..=1.0).contains(c));
+    match *finish {
+        Finish::Diffuse => None,
+        Finish::Phong { specular, .. }
+        | Finish::Mirror { specular }
+        | Finish::Glass { specular, .. }
+            if !within(specular) =>
+        {
+            Some("specular is not within 0 and 1")
+        }
+        Finish::Phong { specular, .. } if (specular + albedo).max_element() > 1.0 + ROUNDING => {
+            Some("albedo and specular together exceed 1; lower one of them")
+        }
+        Finish::Phong { shininess, .. } if !(0.0..=1e6).contains(&shininess) => {
+            Some("shininess is not within 0 and 1e6")
+        }
+        Finish::Glass { ior, .. } if !(0.1..=10.0).contains(&ior) => {
+            Some("ior is not within 0.1 and 10")
+        }
+        _ => None,
     }
 }
 

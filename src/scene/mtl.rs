@@ -162,6 +162,7 @@ impl MtlMaterial {
             emission: self.emission.unwrap_or_default(),
             two_sided: false,
             origin: Origin::line(&self.file, self.line),
+            ..DraftMaterial::default()
         };
         let mut faults = Vec::new();
         if reflected > 1.0 {

@@ -2,9 +2,12 @@
 
 use std::collections::HashMap;
 
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
-use super::{Material, Origin, PointLight, Triangle, Units, Warning};
+use super::{
+    Cone, DirectionalLight, Draft, DraftSphere, DraftSpot, Material, Origin, PointLight, Sphere,
+    Triangle, Units, Warning,
+};
 use crate::error::SceneError;
 
 /// Coordinates beyond this are refused: their products would leave the range of f64.
@@ -22,11 +25,15 @@ const FLATTEST: f64 = 1e-12;
 /// units.
 const SCALE_SLACK: f64 = 1e-6;
 
-/// The triangles of a scene in normalised units.
+/// The shapes of a scene in normalised units.
 #[derive(Debug)]
 pub struct Normalised {
     /// Those with an area, each but once.
     pub triangles: Vec<Triangle>,
+    /// Their texture coordinates.
+    pub uvs: Vec<[Vec2; 3]>,
+    /// The spheres.
+    pub spheres: Vec<Sphere>,
     /// The way back.
     pub units: Units,
     /// How many were left out.
@@ -37,9 +44,9 @@ pub struct Normalised {
 
 impl Units {
     /// The units in which these corners span [-1, 1] along their longest axis.
-    fn around<'a>(corners: impl Iterator<Item = &'a DVec3>) -> Self {
+    fn around(corners: impl Iterator<Item = DVec3>) -> Self {
         let (low, high) = corners
-            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &corner| {
+            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), corner| {
                 (low.min(corner), high.max(corner))
             });
         let half_extent = 0.5 * (high - low).max_element();
@@ -75,41 +82,63 @@ pub fn round(vector: DVec3) -> Vec3 {
 }
 
 /// Leaves out what has no area or is there twice, then recentres, scales and rounds.
-pub fn triangles(
+pub fn shapes(
     origin: &Origin,
-    triangles: &[([DVec3; 3], u32)],
+    draft: &Draft,
     materials: &[Material],
 ) -> Result<Normalised, SceneError> {
+    let (triangles, spheres) = (&draft.triangles, &draft.spheres);
     let reachable = |corner: &DVec3| corner.abs().max_element() <= FARTHEST && !corner.is_nan();
-    if triangles.iter().flat_map(|(corners, _)| corners).any(|corner| !reachable(corner)) {
+    let corners = triangles.iter().flat_map(|(corners, _)| corners).copied();
+    if corners.chain(spheres.iter().flat_map(extremes)).any(|corner| !reachable(&corner)) {
         return Err(origin.error("a coordinate is beyond 1e100, or not a number; scale the scene"));
     }
-    let with_area = || triangles.iter().filter(|(corners, _)| has_area(corners));
-    if with_area().next().is_none() {
-        return Err(origin.error("no triangle with an area: nothing to render"));
+    let nothing = || origin.error("no triangle with an area, and no sphere: nothing to render");
+    let with_area =
+        || triangles.iter().zip(&draft.uvs).filter(|((corners, _), _)| has_area(corners));
+    if with_area().next().is_none() && spheres.is_empty() {
+        return Err(nothing());
     }
-    let units = Units::around(with_area().flat_map(|(corners, _)| corners));
+    let corners = with_area().flat_map(|((corners, _), _)| corners).copied();
+    let units = Units::around(corners.chain(spheres.iter().flat_map(extremes)));
     if units.scale < SMALLEST {
         return Err(origin.error("the scene is smaller than 1e-100 units; scale it"));
     }
     let mut distinct = Distinct::default();
-    for &(corners, material) in with_area() {
+    for (&(corners, material), &uvs) in with_area() {
         let vertices = corners.map(|corner| round(units.normalise(corner)));
         let triangle = Triangle { vertices, material };
         if keeps_area(&triangle) {
-            distinct.add(triangle, materials);
+            distinct.add(triangle, uvs, materials);
         }
     }
-    if distinct.triangles.is_empty() {
-        return Err(origin.error("no triangle with an area: nothing to render"));
+    let spheres = spheres
+        .iter()
+        .map(|sphere| Sphere {
+            center: round(units.normalise(sphere.center)),
+            radius: (sphere.radius / units.scale) as f32,
+            material: sphere.material,
+        })
+        // Else its area would be lost in f32.
+        .filter(|sphere| sphere.radius * sphere.radius >= f32::MIN_POSITIVE)
+        .collect::<Vec<_>>();
+    if distinct.triangles.is_empty() && spheres.is_empty() {
+        return Err(nothing());
     }
     let dropped = triangles.len() - distinct.triangles.len();
     Ok(Normalised {
         warnings: distinct.warnings(origin, dropped),
         triangles: distinct.triangles,
+        uvs: distinct.uvs,
+        spheres,
         units,
         dropped: dropped as u64,
     })
+}
+
+/// Opposite corners of the bounds of a sphere.
+fn extremes(sphere: &DraftSphere) -> [DVec3; 2] {
+    [sphere.center - sphere.radius, sphere.center + sphere.radius]
 }
 
 /// Whether a triangle has an area, whatever its size.
@@ -129,18 +158,22 @@ fn keeps_area(triangle: &Triangle) -> bool {
 #[derive(Debug, Default)]
 struct Distinct {
     triangles: Vec<Triangle>,
+    uvs: Vec<[Vec2; 3]>,
     seen: HashMap<[[u32; 3]; 3], usize>,
     duplicates: usize,
     lost_light: bool,
 }
 
 impl Distinct {
-    fn add(&mut self, triangle: Triangle, materials: &[Material]) {
+    fn add(&mut self, triangle: Triangle, uvs: [Vec2; 3], materials: &[Material]) {
         let mut key = triangle.vertices.map(|vertex| vertex.to_array().map(f32::to_bits));
         key.sort_unstable();
         let index = *self.seen.entry(key).or_insert(self.triangles.len());
         match self.triangles.get(index) {
-            None => self.triangles.push(triangle),
+            None => {
+                self.triangles.push(triangle);
+                self.uvs.push(uvs);
+            }
             Some(first) => {
                 self.duplicates += 1;
                 self.lost_light |= shines_elsewhere(first, &triangle, materials);
@@ -180,22 +213,62 @@ fn shines_elsewhere(first: &Triangle, second: &Triangle, materials: &[Material])
     one.emission != two.emission || one.two_sided != two.two_sided || (opposed && !one.two_sided)
 }
 
-/// Point lights in normalised units.
+/// Point and spot lights in normalised units.
 pub fn point_lights(
     origin: &Origin,
-    lights: &[(DVec3, DVec3)],
+    draft: &Draft,
     units: &Units,
 ) -> Result<Vec<PointLight>, SceneError> {
-    let finish = |&(position, intensity): &(DVec3, DVec3)| {
+    let finish = |position: DVec3, intensity: DVec3, cone: Option<Cone>| {
         let light = PointLight {
             position: round(units.normalise(position)),
             intensity: round(intensity / units.scale / units.scale),
+            cone,
         };
         if !light.position.is_finite() {
             return Err(origin.error("a point light is too far from the scene"));
         }
         if !(light.intensity.is_finite() && light.intensity.min_element() >= 0.0) {
             return Err(origin.error("a point light's intensity is negative, or beyond f32"));
+        }
+        Ok(light)
+    };
+    let points = draft.point_lights.iter().map(|&(at, intensity)| finish(at, intensity, None));
+    let spots = draft.spot_lights.iter().map(|spot| {
+        let cone = cone(spot).ok_or_else(|| {
+            origin.error("a spot light's direction is 0, or its angles are not within 0 and 180")
+        })?;
+        finish(spot.position, spot.intensity, Some(cone))
+    });
+    points.chain(spots).collect()
+}
+
+fn cone(spot: &DraftSpot) -> Option<Cone> {
+    /// A hard edge is a ramp this wide, of cosines: its slope stays finite.
+    const LEAST_RAMP: f64 = 1e-5;
+    let [inner, outer] = spot.angles;
+    if !(0.0 <= inner && inner <= outer && outer > 0.0 && outer <= 180.0) {
+        return None;
+    }
+    let axis = round(spot.direction.try_normalize()?);
+    let [inner, outer] = [inner, outer].map(|angle| angle.to_radians().cos());
+    let outer = outer.min(1.0 - LEAST_RAMP);
+    let inner = inner.max(outer + LEAST_RAMP);
+    Some(Cone { axis, cos_inner: inner as f32, cos_outer: outer as f32 })
+}
+
+/// Directional lights: the scale of the scene is nothing to them.
+pub fn directional_lights(
+    origin: &Origin,
+    lights: &[(DVec3, DVec3)],
+) -> Result<Vec<DirectionalLight>, SceneError> {
+    let finish = |&(direction, irradiance): &(DVec3, DVec3)| {
+        let Some(direction) = direction.try_normalize() else {
+            return Err(origin.error("a directional light's direction is 0, or not a number"));
+        };
+        let light = DirectionalLight { direction: round(direction), irradiance: round(irradiance) };
+        if !(light.irradiance.is_finite() && light.irradiance.min_element() >= 0.0) {
+            return Err(origin.error("a directional light's irradiance is negative, or beyond f32"));
         }
         Ok(light)
     };

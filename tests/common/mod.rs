@@ -106,6 +106,7 @@ impl Build {
             emission: DVec3::from_array(emission),
             two_sided,
             origin: Origin::default(),
+            ..DraftMaterial::default()
         };
         self.draft.add_material(material).expect("there are few materials")
     }

@@ -32,6 +32,7 @@ impl Shapes<'_> {
             emission: DVec3::from_array(emission),
             two_sided: false,
             origin,
+            ..DraftMaterial::default()
         })
     }
 

@@ -32,6 +32,7 @@ pub fn to_draft(
         two_sided: material.double_sided,
         origin: Origin::file(&source.path),
         name,
+        ..DraftMaterial::default()
     };
     let left_out = left_out(source, material);
     let warning = (!left_out.is_empty()).then(|| {

@@ -74,6 +74,7 @@ fn add(
         emission: section.required("radiance")?.power()?,
         two_sided: section.get("two_sided").map_or(Ok(false), |value| value.boolean())?,
         origin: section.origin(),
+        ..DraftMaterial::default()
     })?;
     draft.triangles.extend(triangles.into_iter().map(|corners| (corners, material)));
     Ok(())

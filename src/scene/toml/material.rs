@@ -37,5 +37,6 @@ pub fn read(name: &str, section: &Section) -> Result<DraftMaterial, SceneError> 
         emission: emission.unwrap_or_default(),
         two_sided: section.get("two_sided").map_or(Ok(false), |value| value.boolean())?,
         origin: section.origin(),
+        ..DraftMaterial::default()
     })
 }

@@ -1,0 +1,122 @@
+//! Light from all directions, from infinitely far away.
+
+use std::f32::consts::{PI, TAU};
+
+use glam::{Vec2, Vec3};
+
+/// Radiance by direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Environment {
+    /// Radiance [W sr⁻¹ m⁻²]; what the image is multiplied by, if there is one.
+    pub radiance: Vec3,
+    /// How it varies.
+    pub image: Option<EnvironmentImage>,
+}
+
+/// An equirectangular image: a row is a circle of latitude, the first around +Y. The middle
+/// column is towards -Z, to its right is +X.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct EnvironmentImage {
+    /// Where it came from.
+    pub name: String,
+    /// Width and height, both at least 1.
+    pub size: [u32; 2],
+    /// Rows from the top, as [`pack`] packs them.
+    pub texels: Vec<u32>,
+}
+
+impl Environment {
+    /// Whether it is not black.
+    pub fn shines(&self) -> bool {
+        let image =
+            |image: &EnvironmentImage| image.texels.iter().any(|&texel| texel & 0x07ff_ffff != 0);
+        self.radiance.max_element() > 0.0 && self.image.as_ref().is_none_or(image)
+    }
+
+    /// The radiance that comes from a direction, of unit length: that of the texel. The twin of
+    /// `background` in `shaders/environment_image.wgsl`.
+    pub fn from_direction(&self, direction: Vec3) -> Vec3 {
+        self.radiance * self.image.as_ref().map_or(Vec3::ONE, |image| image.at(direction))
+    }
+}
+
+impl EnvironmentImage {
+    fn at(&self, direction: Vec3) -> Vec3 {
+        let [width, height] = self.size;
+        let uv = place(direction);
+        let texel = |at: f32, size: u32| ((at * size as f32) as u32).min(size - 1);
+        let (x, y) = (texel(uv.x, width), texel(uv.y, height));
+        unpack(self.texels[y as usize * width as usize + x as usize])
+    }
+}
+
+/// Where in an equirectangular image a unit direction is, from its top left, in [0, 1]².
+pub fn place(direction: Vec3) -> Vec2 {
+    let turn = libm::atan2f(direction.x, -direction.z);
+    let polar = libm::acosf(direction.y.clamp(-1.0, 1.0));
+    Vec2::new(0.5 + turn / TAU, polar / PI)
+}
+
+/// The unit direction of a place in an equirectangular image: the inverse of [`place`].
+pub fn direction(place: Vec2) -> Vec3 {
+    let (turn, polar) = ((place.x - 0.5) * TAU, place.y * PI);
+    let sin = libm::sinf(polar);
+    Vec3::new(sin * libm::sinf(turn), libm::cosf(polar), -sin * libm::cosf(turn))
+}
+
+/// The largest channel that [`pack`] can hold; images are scaled to it.
+pub const MOST: f32 = 65_408.0;
+
+/// Colours of 9 bits a channel under an exponent of 5 bits, which all share: more than Radiance
+/// files have. Values are rounded, and cut off at [`MOST`].
+pub fn pack(color: Vec3) -> u32 {
+    let color = color.clamp(Vec3::ZERO, Vec3::splat(MOST));
+    let most = color.max_element().max(1e-10);
+    // The least exponent whose 511 steps of 2^(exponent - 24) reach the largest channel.
+    let mut exponent = (libm::floorf(libm::log2f(most)) as i32 + 16).clamp(0, 31);
+    let step = |exponent: i32| libm::ldexpf(1.0, exponent - 24);
+    if libm::roundf(most / step(exponent)) > 511.0 && exponent < 31 {
+        exponent += 1;
+    }
+    let [r, g, b] =
+        color.to_array().map(|channel| libm::roundf(channel / step(exponent)).min(511.0) as u32);
+    r | g << 9 | b << 18 | (exponent as u32) << 27
+}
+
+/// The inverse of [`pack`].
+pub fn unpack(texel: u32) -> Vec3 {
+    let step = libm::ldexpf(1.0, (texel >> 27) as i32 - 24);
+    let channel = |shift: u32| (texel >> shift & 511) as f32 * step;
+    Vec3::new(channel(0), channel(9), channel(18))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn packing_keeps_nine_bits_of_the_largest_channel() {
+        for exponent in -12..16 {
+            for step in 0..100 {
+                let x = libm::ldexpf(1.0 + step as f32 / 100.0, exponent).min(MOST);
+                let got = unpack(pack(Vec3::new(x, 0.3 * x, 0.0)));
+                assert!((got.x - x).abs() <= x / 511.0 && (got.y - 0.3 * x).abs() <= x / 511.0);
+            }
+        }
+        assert_eq!(unpack(pack(Vec3::ZERO)), Vec3::ZERO);
+        assert_eq!(unpack(pack(Vec3::splat(1e9))), Vec3::splat(MOST));
+    }
+
+    #[test]
+    fn directions_and_places_are_inverse() {
+        for i in 1..40 {
+            for j in 1..20 {
+                let at = Vec2::new(i as f32 / 40.0, j as f32 / 20.0);
+                assert!(place(direction(at)).distance(at) < 1e-5, "{at}");
+            }
+        }
+        assert!(direction(Vec2::new(0.5, 0.5)).distance(-Vec3::Z) < 1e-6);
+        assert!(direction(Vec2::new(0.75, 0.5)).distance(Vec3::X) < 1e-6);
+        assert!(direction(Vec2::new(0.2, 0.0)).distance(Vec3::Y) < 1e-6);
+    }
+}

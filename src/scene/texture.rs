@@ -1,0 +1,103 @@
+//! Textures: images that a surface's albedo, emission or opacity vary by.
+
+use glam::{Vec2, Vec3, Vec4};
+
+/// An image of 8 bits a channel.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Texels {
+    /// Where it came from.
+    pub name: String,
+    /// Width and height, both at least 1.
+    pub size: [u32; 2],
+    /// Rows from the top: red, green and blue in sRGB, and alpha.
+    pub rgba: Vec<[u8; 4]>,
+}
+
+/// What lies beyond an image's border.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Wrap {
+    /// The image again.
+    #[default]
+    Repeat,
+    /// The image mirrored.
+    Mirror,
+    /// Its border.
+    Clamp,
+}
+
+/// How an image is laid on surfaces: texel coordinates are uv · scale + offset, from the image's
+/// top left corner, 1 its width and height.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Texture {
+    /// Index into [`super::Scene::images`].
+    pub image: u32,
+    /// Beyond the left and right border, and beyond top and bottom.
+    pub wrap: [Wrap; 2],
+    /// See above.
+    pub scale: Vec2,
+    /// See above.
+    pub offset: Vec2,
+}
+
+impl Texels {
+    /// What stands for an image that cannot be read: visible magenta.
+    pub fn magenta(name: impl Into<String>) -> Self {
+        Self { name: name.into(), size: [1, 1], rgba: vec![[255, 0, 255, 255]] }
+    }
+
+    /// A texel, its colour in linear light.
+    fn texel(&self, x: u32, y: u32) -> Vec4 {
+        let texel = self.rgba[y as usize * self.size[0] as usize + x as usize];
+        let [r, g, b, a] = texel.map(|value| f32::from(value) / 255.0);
+        Vec3::new(linear(r), linear(g), linear(b)).extend(a)
+    }
+}
+
+impl Texture {
+    /// The whole image, repeated.
+    pub fn of(image: u32) -> Self {
+        Self { image, wrap: [Wrap::Repeat; 2], scale: Vec2::ONE, offset: Vec2::ZERO }
+    }
+
+    /// Colour in linear light and alpha, interpolated between the four nearest texels. The twin
+    /// of `sample_texture` in `shaders/texture.wgsl`.
+    pub fn sample(&self, images: &[Texels], uv: Vec2) -> Vec4 {
+        let image = &images[self.image as usize];
+        let [width, height] = image.size;
+        let at = uv * self.scale + self.offset;
+        let (x0, x1, x) = neighbours(at.x, width, self.wrap[0]);
+        let (y0, y1, y) = neighbours(at.y, height, self.wrap[1]);
+        let top = image.texel(x0, y0).lerp(image.texel(x1, y0), x);
+        let bottom = image.texel(x0, y1).lerp(image.texel(x1, y1), x);
+        top.lerp(bottom, y)
+    }
+}
+
+/// The two texels nearest to a place along an axis, and how far it is from the first to the
+/// second.
+fn neighbours(at: f32, size: u32, wrap: Wrap) -> (u32, u32, f32) {
+    let extent = size as f32;
+    // Folded before it is scaled: large coordinates, and those that are no numbers, stay inside.
+    let folded = match wrap {
+        Wrap::Repeat => at - at.floor(),
+        Wrap::Mirror => 1.0 - (at - 2.0 * (0.5 * at).floor() - 1.0).abs(),
+        Wrap::Clamp => at,
+    };
+    let folded = folded.clamp(0.0, 1.0);
+    let place = if folded.is_nan() { 0.0 } else { folded * extent - 0.5 };
+    let first = place.floor();
+    let inside = |x: f32| match wrap {
+        Wrap::Repeat if x < 0.0 => size - 1,
+        Wrap::Repeat if x >= extent => 0,
+        _ => x.clamp(0.0, extent - 1.0) as u32,
+    };
+    (inside(first), inside(first + 1.0), place - first)
+}
+
+/// A channel of sRGB in linear light (IEC 61966-2-1).
+fn linear(value: f32) -> f32 {
+    match value {
+        0.0..=0.04045 => value / 12.92,
+        _ => libm::powf((value + 0.055) / 1.055, 2.4),
+    }
+}
