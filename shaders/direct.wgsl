@@ -17,4 +17,4 @@ struct DirectParams {
 
 @group(0) @binding(0) var<storage, read> params: DirectParams;
 @group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
+@group(0) @binding(7) var<storage, read_write> irradiance: array<Gathered>;

@@ -10,15 +10,16 @@ fn main(
     let is = id.x < params.points && point.surface != NOTHING;
     let origin = point.position + params.offset * point.normal;
     let stream = hash(hash(params.first_block * 64u + id.x) + params.seed);
-    var sum = vec3f(0.0);
+    var sum = Gathered();
     for (var i = params.first; i < params.first + params.count; i++) {
         let drawn = draw_light(point, i, stream);
         let light = drawn.light;
         let limit = select(0.0, 1.0, is && light.faces);
         let hit = traverse(origin, light.end - origin, limit, params.nodes, true, invocation);
         if limit > 0.0 && hit.triangle == NOTHING { 
-            sum += light.radiance * (light.geometry * drawn.weight);
+            let irradiance = light.radiance * (light.geometry * drawn.weight);
+            sum += arriving(point, normalize(light.end - point.position), irradiance);
         }
     }
-    if is { irradiance[id.x] += vec4f(sum * params.share, 0.0); }
+    if is { irradiance[id.x] += sum * params.share; }
 }

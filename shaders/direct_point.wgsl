@@ -9,7 +9,7 @@ fn main(
     let point = points[min(id.x, params.points - 1u)];
     let is = id.x < params.points && point.surface != NOTHING;
     let origin = point.position + params.offset * point.normal;
-    var sum = vec3f(0.0);
+    var sum = Gathered();
     for (var i = params.first; i < params.first + params.count; i++) {
         let light = lights[i];
         let to_light = light.position - point.position;
@@ -19,8 +19,9 @@ fn main(
         let d = light.position - origin;
         let hit = traverse(origin, d, limit, params.nodes, true, invocation);
         if limit > 0.0 && hit.triangle == NOTHING {
-            sum += light.intensity * (cosine / (square * sqrt(square)));
+            let irradiance = light.intensity * (cosine / (square * sqrt(square)));
+            sum += arriving(point, to_light / sqrt(square), irradiance);
         }
     }
-    if is { irradiance[id.x] += vec4f(sum, 0.0); }
+    if is { irradiance[id.x] += sum; }
 }

@@ -16,10 +16,10 @@ struct ShadeParams {
 @group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
 @group(0) @binding(6) var<storage, read> bits: array<u32>;
 // In w, the mean of the channels that the bound removed.
-@group(0) @binding(7) var<storage, read_write> irradiance: array<vec4f>;
+@group(0) @binding(7) var<storage, read_write> irradiance: array<Gathered>;
 
 // What a VPL of this light (intensity, and its mean) gives to a point.
-fn pair(x: Point, position: vec3f, normal: vec3f, light: vec4f, seen: Seen, bit: u32) -> vec4f {
+fn pair(x: Point, position: vec3f, normal: vec3f, light: vec4f, seen: Seen, bit: u32) -> Gathered {
     let d = position - x.position;
     let square = dot(d, d);
     let cosines = max(dot(d, x.normal), 0.0) * max(facing(-d, normal), 0.0);

@@ -8,10 +8,13 @@ fn main(
 ) {
     let slot = queue[min(id.x, params.paths - 1u)];
     let u = path_random(slot, paths[slot].stream, LIGHT_DIMENSIONS);
-    let light = sample_area_light(points[slot], u, params.lights, params.offset);
+    let point = points[slot];
+    let light = sample_area_light(point, u, params.lights, params.offset);
     let is = id.x < params.paths && light.faces;
-    // The next segment could have met the place, with the density cos / pi of its direction.
-    let weight = mis_weight(light.density, light.geometry / PI);
+    // The next segment could have met the place, with the density of its direction.
+    let toward = light.end - shadow_origin(point);
+    let density = scatter_density(point, albedo_of(slot, point), normalize(toward));
+    let weight = mis_weight(light.density, light.geometry * density);
     let irradiance = light.radiance * (weight * light.geometry / light.density);
-    receive(slot, light.end, irradiance, is, invocation);
+    receive(slot, toward, 1.0, irradiance, is, invocation);
 }

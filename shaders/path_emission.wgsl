@@ -2,13 +2,14 @@
 
 @group(0) @binding(20) var<storage, read_write> radiance: array<vec4f>;
 
-fn find_emission(slot: u32, carried: vec3f, hit: Point, direction: vec3f, cosine: f32) {
+// In a direction that was drawn with this density by solid angle.
+fn find_emission(slot: u32, carried: vec3f, hit: Point, direction: vec3f, density: f32) {
     let material = materials[hit.surface & ~FRONT];
     let emits = (hit.surface & FRONT) != 0u || material.two_sided != 0u;
     let mean = (material.emission.x + material.emission.y + material.emission.z) / 3.0;
     // Densities by area of the two ways to get here: over the lights by power, and by direction.
     let drawn = params.light_density * mean * select(1.0, 2.0, material.two_sided != 0u);
-    let met = cosine * -dot(hit.normal, direction) / (PI * hit.depth * hit.depth);
+    let met = density * -dot(hit.normal, direction) / (hit.depth * hit.depth);
     if emits && drawn > 0.0 && met > 0.0 {
         radiance[slot] += vec4f(carried * material.emission * mis_weight(met, drawn), 0.0);
     }

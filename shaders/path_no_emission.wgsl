@@ -1,3 +1,3 @@
 // Nothing emits that a segment could happen upon.
 
-fn find_emission(slot: u32, carried: vec3f, hit: Point, direction: vec3f, cosine: f32) {}
+fn find_emission(slot: u32, carried: vec3f, hit: Point, direction: vec3f, density: f32) {}

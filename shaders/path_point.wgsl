@@ -16,5 +16,5 @@ fn main(
     let cosine = dot(to_light, point.normal);
     let irradiance = light.intensity * (cosine / (square * sqrt(square) * light.probability));
     let is = id.x < params.paths && cosine > 0.0;
-    receive(slot, light.position, irradiance, is, invocation);
+    receive(slot, light.position - shadow_origin(point), 1.0, irradiance, is, invocation);
 }

@@ -1,7 +1,6 @@
 // How much of the reflected indirect light the clamp took: reflected and removed radiance,
 // means of the channels, summed over a pixel's samples.
 
-@group(0) @binding(3) var<storage, read> materials: array<Material>;
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(7) var<storage, read> irradiance: array<vec4f>;
 @group(0) @binding(11) var<storage, read_write> energy: array<vec2f>;
@@ -9,9 +8,9 @@
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&energy) { return; }
-    let surface = points[id.x].surface;
-    if surface == NOTHING { return; }
-    let albedo = materials[surface & ~FRONT].albedo;
+    let point = points[id.x];
+    if point.surface == NOTHING { return; }
+    let albedo = albedo_of(id.x, point);
     let e = irradiance[id.x];
     let mean = (e.r + e.g + e.b) / 3.0;
     let reflected = dot(e.rgb, albedo) / (3.0 * PI);

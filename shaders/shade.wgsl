@@ -7,12 +7,12 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let at = params.first_point + id.x;
     let point = points[at];
     let row = row_of(at);
-    var total = vec4f(0.0);
+    var total = Gathered();
     for (var word = 0u; word < params.words; word++) {
         let seen = load_seen(row, word);
         var left = seen_at_all(seen);
         // A sum a word, then the sum of those, keeps rounding small over many VPLs.
-        var sum = vec4f(0.0);
+        var sum = Gathered();
         while left != 0u {
             let index = firstTrailingBit(left);
             let vpl = vpls[32u * (params.matrix_word + word) + index];

@@ -22,20 +22,20 @@ fn main(
     let r1 = row_of(i1);
     let r2 = row_of(i2);
     let r3 = row_of(i3);
-    var total0 = vec4f(0.0);
-    var total1 = vec4f(0.0);
-    var total2 = vec4f(0.0);
-    var total3 = vec4f(0.0);
+    var total0 = Gathered();
+    var total1 = Gathered();
+    var total2 = Gathered();
+    var total3 = Gathered();
     for (var word = 0u; word < params.words; word++) {
         let s0 = load_seen(r0, word);
         let s1 = load_seen(r1, word);
         let s2 = load_seen(r2, word);
         let s3 = load_seen(r3, word);
         // A sum a word, then the sum of those, keeps rounding small over many VPLs.
-        var sum0 = vec4f(0.0);
-        var sum1 = vec4f(0.0);
-        var sum2 = vec4f(0.0);
-        var sum3 = vec4f(0.0);
+        var sum0 = Gathered();
+        var sum1 = Gathered();
+        var sum2 = Gathered();
+        var sum3 = Gathered();
         // Batches of eight VPLs that some lane sees.
         var left = subgroupOr(seen_at_all(s0) | seen_at_all(s1) | seen_at_all(s2) | seen_at_all(s3));
         while left != 0u {

@@ -1,5 +1,6 @@
 //! The pipeline: what is prepared once, and the passes of a frame in their order.
 
+mod features;
 mod film;
 mod gather;
 mod gathers;
@@ -12,6 +13,7 @@ mod path;
 mod picture;
 mod settings;
 mod stages;
+mod surface;
 mod tile;
 mod visibility;
 mod visible;
@@ -26,8 +28,9 @@ use crate::gpu::{Gpu, GpuError, MaterialRecord, PassTime};
 use crate::image::Image;
 use crate::scene::{Camera, Scene};
 
+pub use features::{Features, Target};
 pub use kernels::{Kernels, all_programs};
-pub use light::Lights;
+pub use light::{LightKind, Lights};
 pub use settings::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
 pub use vpl::{LightPaths, Vpl};
 
@@ -49,6 +52,8 @@ pub struct Prepared {
     pub bvh: Bvh,
     /// The light sources.
     pub lights: Lights,
+    /// What is linked for the scene.
+    pub features: Features,
     /// Time spent on building the BVH.
     pub bvh_time: Duration,
     /// Time spent on linking and compiling shaders, and on uploading the scene.
@@ -57,8 +62,7 @@ pub struct Prepared {
     nodes: wgpu::Buffer,
     triangles: wgpu::Buffer,
     materials: wgpu::Buffer,
-    area_lights: Option<wgpu::Buffer>,
-    point_lights: Option<wgpu::Buffer>,
+    light_tables: Vec<(LightKind, wgpu::Buffer)>,
 }
 
 impl Prepared {
@@ -88,8 +92,11 @@ impl Prepared {
             nodes: gpu.storage_of("BVH nodes", &bvh.nodes)?,
             triangles: gpu.storage_of("triangles", &bvh.triangles)?,
             materials: gpu.storage_of("materials", &materials)?,
-            area_lights: None,
-            point_lights: None,
+            light_tables: lights
+                .kinds()
+                .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
+                .collect::<Result<_, GpuError>>()?,
+            features: Features::of(&scene),
             kernels: Kernels::default(),
             bvh_time,
             pipelines_time: Duration::ZERO,
@@ -98,16 +105,14 @@ impl Prepared {
             gpu,
             scene,
         };
-        let (gpu, lights) = (&prepared.gpu, &prepared.lights);
-        if !lights.area.is_empty() {
-            prepared.area_lights = Some(gpu.storage_of("area lights", &lights.area)?);
-        }
-        if !lights.point.is_empty() {
-            prepared.point_lights = Some(gpu.storage_of("point lights", &lights.point)?);
-        }
         prepared.kernels.prepare(&prepared, settings)?;
         prepared.pipelines_time = start.elapsed();
         Ok(prepared)
+    }
+
+    /// What programs are linked for.
+    pub fn target(&self) -> Target {
+        Target { subgroups: self.gpu.has_subgroups(), features: self.features }
     }
 
     /// Features that no shader module linked so far serves.
@@ -219,8 +224,7 @@ pub fn frame(
     let bound = bound(prepared, settings, &vpls);
     let scale = prepared.scene.units.scale;
     counts.clamp = bound.map(|bound| f64::from(bound) / (scale * scale));
-    let mut lights: Vec<_> =
-        vpls.iter().map(|vpl| VirtualLight::of(vpl, &prepared.scene)).collect();
+    let mut lights: Vec<_> = vpls.iter().map(VirtualLight::of).collect();
     phases.vpls = start.elapsed();
 
     // Lights that share the visibility of a few.

@@ -40,6 +40,9 @@ pub mod module {
         TYPES = "types";
         SAMPLING = "sampling";
         PIXELS = "pixels";
+        ALBEDO_PLAIN = "albedo_plain";
+        LOBES_DIFFUSE = "lobes_diffuse";
+        SCATTER_DIFFUSE = "scatter_diffuse";
         RAY = "ray";
         TRAVERSE = "traverse";
         TRAVERSE_PACKET = "traverse_packet";

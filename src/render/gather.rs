@@ -88,8 +88,8 @@ impl<'a> Gather<'a> {
             Some(clusters) if clusters.weights.is_none() => Sharing::Cluster,
             Some(_) => Sharing::Fuzzy,
         };
-        let (subgroups, bounded) = (gpu.has_subgroups(), lights.bound.is_some());
-        let shade = kernels::shade(subgroups, bounded, sharing, lights.emitter);
+        let (target, bounded) = (prepared.target(), lights.bound.is_some());
+        let shade = kernels::shade(target, bounded, sharing, lights.emitter);
         let (rows, rows_count) = match clusters {
             None => (Rows::Points, points),
             Some(clusters) => {

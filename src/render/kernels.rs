@@ -4,59 +4,62 @@ pub mod path;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::{Clamp, Direct, Method, Prepared, Settings};
+use super::{Clamp, Direct, LightKind, Method, Prepared, Settings, Target};
 use crate::gpu::module::{
-    ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT, DIRECT_AREA,
-    DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER,
-    HIT_POINT, INTERLEAVED, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED,
-    PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY,
-    SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
-    SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY,
-    VISIBILITY_PACKET, VISIBLE,
+    ALBEDO_PLAIN, ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT,
+    DIRECT_AREA, DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE,
+    EXPAND, GATHER, HIT_POINT, INTERLEAVED, LOBES_DIFFUSE, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT,
+    PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, ROW_CLUSTER,
+    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO,
+    SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES,
+    VISIBILITY, VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
 /// How rays are traced that neighbours trace alike.
-fn traverse(subgroups: bool) -> &'static Module {
-    if subgroups { &TRAVERSE_PACKET } else { &TRAVERSE }
+fn traverse(target: Target) -> &'static Module {
+    if target.subgroups { &TRAVERSE_PACKET } else { &TRAVERSE }
 }
 
 /// Camera rays.
-pub fn visible_points(subgroups: bool) -> Program {
-    Program { label: "visible points", modules: camera_rays(subgroups, &[&VISIBLE]) }
+pub fn visible_points(target: Target) -> Program {
+    Program { label: "visible points", modules: camera_rays(target, &[&VISIBLE]) }
 }
 
 /// More camera rays where pixels see edges.
-pub fn antialias(subgroups: bool) -> Program {
-    let modules = camera_rays(subgroups, &[&ONE_SURFACE, &ANTIALIAS]);
+pub fn antialias(target: Target) -> Program {
+    let modules = camera_rays(target, &[&ONE_SURFACE, &ANTIALIAS]);
     Program { label: "antialiasing", modules }
 }
 
-fn camera_rays(subgroups: bool, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(subgroups), &CAMERA, &HIT_POINT];
+fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
+    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(target), &CAMERA, &HIT_POINT];
     [&first[..], last].concat()
 }
 
-/// Direct light from point lights.
-pub fn direct_point(subgroups: bool) -> Program {
-    let modules = vec![&TYPES, &RAY, traverse(subgroups), &DIRECT, &POINT_LIGHT, &DIRECT_POINT];
-    Program { label: "direct light, points", modules }
+/// Direct light from the lights of a kind. From many area lights, those that give much are sought
+/// out.
+pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
+    let mut modules = vec![&TYPES, &SAMPLING, &LOBES_DIFFUSE, &RAY, traverse(target), &DIRECT];
+    let label = match kind {
+        LightKind::Point => {
+            modules.extend([&POINT_LIGHT, &DIRECT_POINT]);
+            "direct light, points"
+        }
+        LightKind::Area => {
+            let draw = if many { &DRAW_RESAMPLED } else { &DRAW_ONE };
+            modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, draw, &DIRECT_AREA]);
+            "direct light, areas"
+        }
+    };
+    Program { label, modules }
 }
 
-/// Direct light from emitting triangles: from many, those that give much are sought out.
-pub fn direct_area(subgroups: bool, many: bool) -> Program {
-    let draw = if many { &DRAW_RESAMPLED } else { &DRAW_ONE };
-    let mut modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &DIRECT];
-    modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, draw, &DIRECT_AREA]);
-    Program { label: "direct light, areas", modules }
-}
-
-/// The program for direct light from the emitting triangles of a scene.
-pub fn direct_area_for(prepared: &Prepared) -> Program {
+/// The program for direct light from the lights of a kind in a scene.
+pub fn direct_for(prepared: &Prepared, kind: LightKind) -> Program {
     /// A lamp or two, of which all points see much the same.
-    const FEW_LIGHTS: usize = 16;
-    let many = prepared.lights.area.len() > FEW_LIGHTS;
-    direct_area(prepared.gpu.has_subgroups(), many)
+    const FEW_LIGHTS: u32 = 16;
+    direct(prepared.target(), kind, prepared.lights.count(kind) > FEW_LIGHTS)
 }
 
 /// How the shadow rays between points and VPLs are traced.
@@ -105,6 +108,14 @@ pub enum Emitter {
 }
 
 impl Emitter {
+    /// What the lights of a kind are gathered as.
+    pub fn of(kind: LightKind) -> Self {
+        match kind {
+            LightKind::Point => Self::Point,
+            LightKind::Area => Self::Surface,
+        }
+    }
+
     fn module(self) -> &'static Module {
         match self {
             Self::Surface => &EMITTER_SURFACE,
@@ -114,7 +125,7 @@ impl Emitter {
 }
 
 /// Shadow rays between points and lights.
-pub fn visibility(tracing: Tracing, emitter: Emitter) -> Program {
+pub fn visibility(_target: Target, tracing: Tracing, emitter: Emitter) -> Program {
     let mut modules = vec![&TYPES, &RAY, emitter.module(), &BITS];
     modules.extend(match tracing {
         Tracing::Single => [&TRAVERSE, &VISIBILITY],
@@ -126,7 +137,7 @@ pub fn visibility(tracing: Tracing, emitter: Emitter) -> Program {
 
 /// The visibility program that suits a scene and its device.
 pub fn visibility_for(prepared: &Prepared, emitter: Emitter) -> Program {
-    visibility(Tracing::of(prepared), emitter)
+    visibility(prepared.target(), Tracing::of(prepared), emitter)
 }
 
 /// Visibility of VPLs from that of their clusters.
@@ -166,15 +177,15 @@ pub enum Sharing {
 }
 
 /// Shading of points by lights.
-pub fn shade(subgroups: bool, bounded: bool, sharing: Sharing, emitter: Emitter) -> Program {
+pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) -> Program {
     let bound = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
-    let mut modules = vec![&TYPES, bound, emitter.module(), &GATHER];
+    let mut modules = vec![&TYPES, &LOBES_DIFFUSE, bound, emitter.module(), &GATHER];
     match sharing {
         Sharing::Own => modules.extend([&SEEN_HARD, &ROW_POINT]),
         Sharing::Cluster => modules.extend([&SEEN_HARD, &ROW_CLUSTER]),
         Sharing::Fuzzy => modules.push(&SEEN_FUZZY),
     }
-    modules.push(if subgroups { &SHADE_COOPERATIVE } else { &SHADE });
+    modules.push(if target.subgroups { &SHADE_COOPERATIVE } else { &SHADE });
     Program { label: "shading", modules }
 }
 
@@ -185,12 +196,12 @@ pub fn emit() -> Program {
 
 /// Irradiance to reflected radiance.
 pub fn reflect() -> Program {
-    Program { label: "reflection", modules: vec![&TYPES, &REFLECT] }
+    Program { label: "reflection", modules: vec![&TYPES, &LOBES_DIFFUSE, &ALBEDO_PLAIN, &REFLECT] }
 }
 
 /// What the clamp removed.
 pub fn removed() -> Program {
-    Program { label: "clamped energy", modules: vec![&TYPES, &REMOVED] }
+    Program { label: "clamped energy", modules: vec![&TYPES, &ALBEDO_PLAIN, &REMOVED] }
 }
 
 /// The picture of a method without light; none for the others.
@@ -201,7 +212,10 @@ pub fn show(method: Method) -> Option<Program> {
         Method::Albedo => ("albedo", &SHOW_ALBEDO),
         _ => return None,
     };
-    Some(Program { label, modules: vec![&TYPES, module] })
+    let mut modules = vec![&TYPES];
+    modules.extend((method == Method::Albedo).then_some(&ALBEDO_PLAIN));
+    modules.push(module);
+    Some(Program { label, modules })
 }
 
 /// The programs that a scene and settings need: the one list of what is linked.
@@ -209,28 +223,25 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     if settings.method == Method::Path {
         return path::needed(prepared, settings);
     }
-    let subgroups = prepared.gpu.has_subgroups();
-    let mut programs = vec![visible_points(subgroups)];
+    let target = prepared.target();
+    let mut programs = vec![visible_points(target)];
     programs.extend(show(settings.method));
     if !settings.method.is_lit() {
         return programs;
     }
-    programs.extend(settings.antialiases().then(|| antialias(subgroups)));
-    if prepared.area_lights.is_some() {
+    programs.extend(settings.antialiases().then(|| antialias(target)));
+    if prepared.lights.count(LightKind::Area) > 0 {
         programs.push(emit());
     }
-    let points = prepared.point_lights.is_some();
-    let areas = prepared.area_lights.is_some();
+    let kinds = || prepared.lights.kinds();
     match settings.direct {
         Direct::PerPixel => {
-            programs.extend(points.then(|| direct_point(subgroups)));
-            programs.extend(areas.then(|| direct_area_for(prepared)));
+            programs.extend(kinds().map(|kind| direct_for(prepared, kind)));
             programs.push(reflect());
         }
         Direct::Clustered => {
-            let kinds = [(points, Emitter::Point), (areas, Emitter::Surface)];
-            for (_, emitter) in kinds.into_iter().filter(|(are, _)| *are) {
-                let shade = shade(subgroups, false, settings.sharing(), emitter);
+            for emitter in kinds().map(Emitter::of) {
+                let shade = shade(target, false, settings.sharing(), emitter);
                 programs.extend([visibility_for(prepared, emitter), shade]);
             }
             programs.push(reflect());
@@ -241,7 +252,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         let bounded = settings.clamp != Clamp::Off;
         programs.extend([
             visibility_for(prepared, Emitter::Surface),
-            shade(subgroups, bounded, settings.sharing(), Emitter::Surface),
+            shade(target, bounded, settings.sharing(), Emitter::Surface),
             reflect(),
         ]);
         programs.extend(bounded.then(removed));
@@ -298,23 +309,31 @@ impl Kernels {
 pub fn all_programs() -> Vec<Program> {
     let mut programs = vec![emit(), reflect(), removed(), expand()];
     programs.extend([separate(), collect(false), collect(true), combine()]);
-    for emitter in [Emitter::Surface, Emitter::Point] {
-        let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays];
-        programs.extend(tracing.map(|tracing| visibility(tracing, emitter)));
-    }
-    for subgroups in [false, true] {
-        programs.extend([visible_points(subgroups), antialias(subgroups)]);
-        programs.push(direct_point(subgroups));
-        programs.extend([false, true].map(|many| direct_area(subgroups, many)));
+    for target in Target::all() {
+        for emitter in [Emitter::Surface, Emitter::Point] {
+            let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays];
+            programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
+        }
+        programs.extend([visible_points(target), antialias(target)]);
+        for kind in LightKind::ALL {
+            programs.extend([false, true].map(|many| direct(target, kind, many)));
+        }
         let sharing = [Sharing::Cluster, Sharing::Fuzzy];
-        programs.extend(sharing.map(|sharing| shade(subgroups, false, sharing, Emitter::Point)));
+        programs.extend(sharing.map(|sharing| shade(target, false, sharing, Emitter::Point)));
         for bounded in [false, true] {
             let sharing = [Sharing::Own, Sharing::Cluster, Sharing::Fuzzy];
             let emitter = Emitter::Surface;
-            programs.extend(sharing.map(|sharing| shade(subgroups, bounded, sharing, emitter)));
+            programs.extend(sharing.map(|sharing| shade(target, bounded, sharing, emitter)));
         }
+        programs.extend(path::all(target));
     }
     programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));
-    programs.extend(path::all());
-    programs
+    programs.extend(path::common());
+    let mut distinct: Vec<Program> = Vec::new();
+    for program in programs {
+        if !distinct.contains(&program) {
+            distinct.push(program);
+        }
+    }
+    distinct
 }

@@ -5,9 +5,23 @@ use std::f32::consts::PI;
 use glam::Vec3;
 
 use super::merge::VirtualLight;
-use crate::gpu::{AreaLightRecord, PointLightRecord};
+use crate::gpu::{AreaLightRecord, Gpu, GpuError, PointLightRecord};
 use crate::sampling::{Sequence, uniform_triangle};
 use crate::scene::Scene;
+
+/// The kinds of light sources, each with a table and passes of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LightKind {
+    /// Lights without extent.
+    Point,
+    /// Emitting triangles.
+    Area,
+}
+
+impl LightKind {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Point, Self::Area];
+}
 
 /// All lights of a scene.
 #[derive(Debug, Clone, Default)]
@@ -88,6 +102,30 @@ impl Lights {
             })
             .collect();
         Self { area, point, area_power, point_power }
+    }
+
+    /// How many lights of a kind there are.
+    pub fn count(&self, kind: LightKind) -> u32 {
+        match kind {
+            LightKind::Point => self.point.len() as u32,
+            LightKind::Area => self.area.len() as u32,
+        }
+    }
+
+    /// The kinds of which there are lights.
+    pub fn kinds(&self) -> impl Iterator<Item = LightKind> + '_ {
+        LightKind::ALL.into_iter().filter(|&kind| self.count(kind) > 0)
+    }
+
+    /// The table of a kind on the device.
+    ///
+    /// # Errors
+    /// It does not fit.
+    pub fn upload(&self, gpu: &Gpu, kind: LightKind) -> Result<wgpu::Buffer, GpuError> {
+        match kind {
+            LightKind::Point => gpu.storage_of("point lights", &self.point),
+            LightKind::Area => gpu.storage_of("area lights", &self.area),
+        }
     }
 
     /// The probability density, by area, of a place on an area light, over the mean of its radiance

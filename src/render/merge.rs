@@ -7,7 +7,6 @@ use glam::{DVec3, Vec3};
 use super::settings::{Clustering, Representative};
 use super::vpl::Vpl;
 use crate::cluster::{Options, Points, kmeans};
-use crate::scene::Scene;
 
 /// A diffuse light of a point and a side: what is gathered.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,9 +21,8 @@ pub struct VirtualLight {
 
 impl VirtualLight {
     /// The light that a VPL's surface reflects.
-    pub fn of(vpl: &Vpl, scene: &Scene) -> Self {
-        let albedo = scene.materials[vpl.material as usize].albedo;
-        let intensity = vpl.flux * albedo / PI;
+    pub fn of(vpl: &Vpl) -> Self {
+        let intensity = vpl.flux * vpl.albedo / PI;
         Self { position: vpl.position, normal: vpl.normal, intensity }
     }
 }

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Direct, Prepared, Settings, kernels};
+use super::{Direct, LightKind, Prepared, Settings, kernels};
 use crate::gpu::{Bindings, CameraParams, Gpu, GpuError, Kernel, Pass, PointRecord, Program};
 
 /// A kernel with its buffers bound, and the buffer of its parameters.
@@ -80,10 +80,8 @@ pub struct Stages {
     pub show: Option<Stage>,
     /// Emission towards the camera.
     pub emit: Option<Stage>,
-    /// Direct light from point lights.
-    pub direct_point: Option<Stage>,
-    /// Direct light from area lights.
-    pub direct_area: Option<Stage>,
+    /// Direct light, a stage for each kind of lights.
+    pub direct: Vec<(LightKind, Stage)>,
     /// Irradiance to radiance.
     pub reflect: Option<Stage>,
     /// What the clamp removed.
@@ -116,22 +114,21 @@ impl Stages {
         named.extend(&on_film);
         let bind = |program: Program| Stage::new(prepared, &program, &named);
         let when = |is: bool, program: Program| is.then(|| bind(program)).transpose();
-        let with_lights = |lights: &Option<wgpu::Buffer>, program: Program| {
-            let lights = lights.as_ref().filter(|_| direct);
-            let bind = |lights| Stage::new(prepared, &program, &[&named[..], &[lights]].concat());
-            lights.map(|lights| bind(("lights", lights))).transpose()
+        let with_lights = |(kind, table): &(LightKind, wgpu::Buffer)| {
+            let named = [&named[..], &[("lights", table)]].concat();
+            Ok((*kind, Stage::new(prepared, &kernels::direct_for(prepared, *kind), &named)?))
         };
-        let subgroups = prepared.gpu.has_subgroups();
-        let (point_lights, area_lights) = (&prepared.point_lights, &prepared.area_lights);
+        let tables = if direct { &prepared.light_tables[..] } else { &[] };
+        let target = prepared.target();
+        let areas = prepared.lights.count(LightKind::Area) > 0;
         Ok(Self {
-            visible: Stage::new(prepared, &kernels::visible_points(subgroups), &on_film)?,
+            visible: Stage::new(prepared, &kernels::visible_points(target), &on_film)?,
             antialias: edges
-                .then(|| Stage::new(prepared, &kernels::antialias(subgroups), &on_film))
+                .then(|| Stage::new(prepared, &kernels::antialias(target), &on_film))
                 .transpose()?,
             show: kernels::show(settings.method).map(bind).transpose()?,
-            emit: when(lit && area_lights.is_some(), kernels::emit())?,
-            direct_point: with_lights(point_lights, kernels::direct_point(subgroups))?,
-            direct_area: with_lights(area_lights, kernels::direct_area_for(prepared))?,
+            emit: when(lit && areas, kernels::emit())?,
+            direct: tables.iter().map(with_lights).collect::<Result<_, GpuError>>()?,
             reflect: when(gathers, kernels::reflect())?,
             removed: when(clamps, kernels::removed())?,
             buffers,

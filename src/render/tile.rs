@@ -9,7 +9,7 @@ use super::interleave::Interleave;
 use super::light_set::LightSet;
 use super::stages::{Stage, Stages};
 use super::visibility::dispatch_rays;
-use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};
+use super::{Counts, LightKind, Method, Phases, Prepared, Progress, Settings, kernels};
 use crate::gpu::{CameraParams, DirectParams, GpuError, PointRecord};
 use crate::image::Image;
 use crate::sampling::{SURFACE_OFFSET, hash};
@@ -144,7 +144,7 @@ impl<'a> TileRenderer<'a> {
         for stage in self.stages.show.iter().chain(&self.stages.emit) {
             phases.shading += self.run(stage, &(), groups)?;
         }
-        if self.stages.direct_point.is_some() || self.stages.direct_area.is_some() {
+        if !self.stages.direct.is_empty() {
             progress(0.0, "direct light");
             self.clear_irradiance()?;
             phases.direct += self.direct(tile)?;
@@ -200,32 +200,29 @@ impl<'a> TileRenderer<'a> {
     fn direct(&self, tile: Tile) -> Result<Duration, GpuError> {
         let most = kernels::rays_at_once(self.prepared.bvh.nodes.len());
         let slice = (dispatch_rays(self.prepared) / tile.points()).clamp(1, most);
-        let samples = self.settings.light_samples_per_point();
         let mut time = Duration::ZERO;
-        let lights = &self.prepared.lights;
-        let kinds = [
-            (&self.stages.direct_point, lights.point.len() as u32, lights.point.len() as u32),
-            (&self.stages.direct_area, lights.area.len() as u32, samples),
-        ];
-        for (stage, lights, rays) in kinds {
-            if let Some(stage) = stage {
-                for start in (0..rays).step_by(slice as usize) {
-                    let params = DirectParams {
-                        points: tile.points(),
-                        lights,
-                        first: start,
-                        count: slice.min(rays - start),
-                        seed: hash(self.seed),
-                        first_block: tile.first_block,
-                        offset: SURFACE_OFFSET,
-                        nodes: self.prepared.bvh.nodes.len() as u32,
-                        sample: tile.sample,
-                        samples: self.settings.samples,
-                        weight: 1.0 / (rays as f32 * self.settings.samples as f32),
-                        share: 1.0 / rays as f32,
-                    };
-                    time += self.run(stage, &params, [tile.blocks, 1])?;
-                }
+        for (kind, stage) in &self.stages.direct {
+            let lights = self.prepared.lights.count(*kind);
+            let rays = match kind {
+                LightKind::Point => lights,
+                LightKind::Area => self.settings.light_samples_per_point(),
+            };
+            for start in (0..rays).step_by(slice as usize) {
+                let params = DirectParams {
+                    points: tile.points(),
+                    lights,
+                    first: start,
+                    count: slice.min(rays - start),
+                    seed: hash(self.seed),
+                    first_block: tile.first_block,
+                    offset: SURFACE_OFFSET,
+                    nodes: self.prepared.bvh.nodes.len() as u32,
+                    sample: tile.sample,
+                    samples: self.settings.samples,
+                    weight: 1.0 / (rays as f32 * self.settings.samples as f32),
+                    share: 1.0 / rays as f32,
+                };
+                time += self.run(stage, &params, [tile.blocks, 1])?;
             }
         }
         Ok(time)

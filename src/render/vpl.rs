@@ -7,7 +7,8 @@ use rayon::prelude::*;
 
 use super::light::{Choice, LightRef, Lights};
 use super::settings::Bounces;
-use crate::bvh::{Bvh, Hit, Ray};
+use super::surface::Surface;
+use crate::bvh::{Bvh, Ray};
 use crate::sampling::{
     SURFACE_OFFSET, Sequence, cosine_hemisphere, uniform_sphere, uniform_triangle,
 };
@@ -29,6 +30,8 @@ pub struct Vpl {
     pub incident: Vec3,
     /// Incident flux, in watts over the square of the scene's unit.
     pub flux: Vec3,
+    /// Diffuse reflectance of the surface there.
+    pub albedo: Vec3,
     /// Index of the material.
     pub material: u32,
 }
@@ -66,14 +69,14 @@ impl LightPaths<'_> {
         let mut bounce = 0u32;
         while !matches!(self.bounces, Bounces::Finite(most) if bounce >= most) {
             let Some(hit) = self.bvh.closest(&ray) else { break };
-            let (position, normal) = self.surface(&hit, ray.direction);
-            let albedo = self.scene.materials[hit.material as usize].albedo;
+            let Surface { position, normal, albedo, material, .. } =
+                Surface::of(self.scene, &hit, ray.direction);
             // A black surface ends the path, and would be a light of no intensity.
             if (flux * albedo).max_element() <= 0.0 {
                 break;
             }
             let incident = ray.direction;
-            vpls.push(Vpl { position, normal, incident, flux, material: hit.material });
+            vpls.push(Vpl { position, normal, incident, flux, albedo, material });
 
             let dimension = START_DIMENSIONS + 3 * bounce;
             let draw = |i| sequence.sample(path, dimension + i);
@@ -119,15 +122,6 @@ impl LightPaths<'_> {
                 Some((Ray { origin, direction, limit: f32::MAX }, flux))
             }
         }
-    }
-
-    /// Position and facing normal of a hit.
-    fn surface(&self, hit: &Hit, direction: Vec3) -> (Vec3, Vec3) {
-        let triangle = &self.scene.triangles[hit.triangle as usize];
-        let [a, b, c] = triangle.vertices;
-        let position = a * hit.weights[0] + b * hit.weights[1] + c * hit.weights[2];
-        let normal = triangle.scaled_normal().normalize();
-        (position, if normal.dot(direction) > 0.0 { -normal } else { normal })
     }
 }
 

@@ -5,6 +5,7 @@ use gpu_vpl::bvh::Bvh;
 use gpu_vpl::gpu::{
     Bindings, Gpu, Kernel, Pass, PointRecord, ShadeParams, VisibilityParams, VplRecord,
 };
+use gpu_vpl::render::Target;
 use gpu_vpl::render::kernels::{Emitter, Sharing, Tracing, rays_at_once, shade, visibility};
 use gpu_vpl::sampling::SURFACE_OFFSET;
 
@@ -46,8 +47,9 @@ pub fn irradiance(
     (bits, matrix_word): (&[u32], u32),
     before: [f32; 4],
 ) -> Vec<[f32; 4]> {
+    let target = Target::plain(subgroups);
     let kernel =
-        gpu.compile(&shade(subgroups, bound.is_some(), Sharing::Own, Emitter::Surface)).unwrap();
+        gpu.compile(&shade(target, bound.is_some(), Sharing::Own, Emitter::Surface)).unwrap();
     let params = gpu.parameters::<ShadeParams>("params").unwrap();
     let count = points.len() as u32;
     let record = ShadeParams {
@@ -109,7 +111,13 @@ impl<'a> VisibilityPass<'a> {
         points: &[PointRecord],
         vpls: &[VplRecord],
     ) -> Self {
-        let kernel = gpu.compile(&visibility(tracing, Emitter::Surface)).unwrap();
+        let kernel = gpu
+            .compile(&visibility(
+                Target::plain(tracing != Tracing::Single),
+                tracing,
+                Emitter::Surface,
+            ))
+            .unwrap();
         let params = gpu.parameters::<VisibilityParams>("params").unwrap();
         // What a pass leaves alone stays as it is here.
         let words = vpls.len().div_ceil(32);

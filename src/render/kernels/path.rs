@@ -2,39 +2,51 @@
 
 use super::{Prepared, emit, traverse};
 use crate::gpu::module::{
-    AREA_LIGHT, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA,
-    PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM,
-    PATH_SEGMENT, PATH_STATE, PATH_SUM, PIXELS, POINT_LIGHT, RAY, ROULETTE, SAMPLING, TYPES,
+    ALBEDO_PLAIN, AREA_LIGHT, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA,
+    PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT,
+    PATH_RANDOM, PATH_SEGMENT, PATH_STATE, PATH_SUM, PIXELS, POINT_LIGHT, RAY, ROULETTE, SAMPLING,
+    SCATTER_DIFFUSE, TYPES,
 };
 use crate::gpu::{Module, Program};
-use crate::render::{Bounces, Direct, Settings};
+use crate::render::{Bounces, Direct, LightKind, Settings, Target};
 
 /// Camera rays.
-pub fn camera(subgroups: bool) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(subgroups)];
+pub fn camera(target: Target) -> Program {
+    let mut modules = vec![&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(target)];
     modules.extend([&CAMERA, &HIT_POINT, &PATH_STATE, &PATH_CAMERA]);
     Program { label: "paths, camera", modules }
 }
 
-fn vertex(subgroups: bool, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &RAY, traverse(subgroups), &PATH, &PATH_STATE, &PATH_RANDOM];
+fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
+    let first = [
+        &TYPES,
+        &SAMPLING,
+        &RAY,
+        traverse(target),
+        &PATH,
+        &PATH_STATE,
+        &PATH_RANDOM,
+        &ALBEDO_PLAIN,
+        &SCATTER_DIFFUSE,
+    ];
     [&first[..], last].concat()
 }
 
-/// Shadow rays to point lights.
-pub fn point(subgroups: bool) -> Program {
-    let last = [&POINT_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_POINT];
-    Program { label: "paths, point lights", modules: vertex(subgroups, &last) }
-}
-
-/// Shadow rays to area lights.
-pub fn area(subgroups: bool) -> Program {
-    let last = [&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA];
-    Program { label: "paths, area lights", modules: vertex(subgroups, &last) }
+/// Shadow rays to the lights of a kind.
+pub fn next_event(target: Target, kind: LightKind) -> Program {
+    let (label, last): (_, &[&Module]) = match kind {
+        LightKind::Point => {
+            ("paths, point lights", &[&POINT_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_POINT])
+        }
+        LightKind::Area => {
+            ("paths, area lights", &[&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA])
+        }
+    };
+    Program { label, modules: vertex(target, last) }
 }
 
 /// The next segment of paths, in a scene with or without area lights.
-pub fn segment(subgroups: bool, bounces: Bounces, areas: bool) -> Program {
+pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = vec![&HIT_POINT, survival];
     match areas {
@@ -42,7 +54,7 @@ pub fn segment(subgroups: bool, bounces: Bounces, areas: bool) -> Program {
         false => last.push(&PATH_NO_EMISSION),
     }
     last.push(&PATH_SEGMENT);
-    Program { label: "paths, segment", modules: vertex(subgroups, &last) }
+    Program { label: "paths, segment", modules: vertex(target, &last) }
 }
 
 /// How many paths go on.
@@ -72,27 +84,30 @@ pub fn has_segments(settings: &Settings, areas: bool) -> bool {
 
 /// What a scene and settings need.
 pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
-    let subgroups = prepared.gpu.has_subgroups();
-    let (areas, points) = (prepared.area_lights.is_some(), prepared.point_lights.is_some());
-    let lit = seeks_light(settings);
-    let mut programs = vec![camera(subgroups), count(), compact(), sum()];
+    let target = prepared.target();
+    let areas = prepared.lights.count(LightKind::Area) > 0;
+    let mut programs = vec![camera(target), count(), compact(), sum()];
     programs.extend(areas.then(emit));
-    programs.extend((lit && areas).then(|| area(subgroups)));
-    programs.extend((lit && points).then(|| point(subgroups)));
+    if seeks_light(settings) {
+        programs.extend(prepared.lights.kinds().map(|kind| next_event(target, kind)));
+    }
     let segments = has_segments(settings, areas);
-    programs.extend(segments.then(|| segment(subgroups, settings.bounces, areas)));
+    programs.extend(segments.then(|| segment(target, settings.bounces, areas)));
     programs
 }
 
-/// Every program of paths.
-pub(super) fn all() -> Vec<Program> {
-    let mut programs = vec![count(), compact(), sum()];
-    for subgroups in [false, true] {
-        programs.extend([camera(subgroups), point(subgroups), area(subgroups)]);
-        for areas in [false, true] {
-            let kinds = [Bounces::Finite(1), Bounces::Unlimited];
-            programs.extend(kinds.map(|bounces| segment(subgroups, bounces, areas)));
-        }
+/// Every program of paths that traces rays.
+pub(super) fn all(target: Target) -> Vec<Program> {
+    let mut programs = vec![camera(target)];
+    programs.extend(LightKind::ALL.map(|kind| next_event(target, kind)));
+    for areas in [false, true] {
+        let kinds = [Bounces::Finite(1), Bounces::Unlimited];
+        programs.extend(kinds.map(|bounces| segment(target, bounces, areas)));
     }
     programs
+}
+
+/// The programs of paths that are the same for every scene.
+pub(super) fn common() -> Vec<Program> {
+    vec![count(), compact(), sum()]
 }

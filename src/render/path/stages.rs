@@ -3,7 +3,7 @@
 use crate::gpu::{CameraParams, GpuError, PathParams, PathRecord, PathSum, PointRecord, Program};
 use crate::render::kernels::{self, path as programs};
 use crate::render::stages::{Named, Stage};
-use crate::render::{Prepared, Settings};
+use crate::render::{LightKind, Prepared, Settings};
 
 /// Paths of a run of the queue that counts its survivors.
 pub const RUN: u32 = 64;
@@ -79,27 +79,21 @@ impl Stages {
             ("sums", &buffers.sums),
         ];
         let bind = |program: Program| Stage::new(prepared, &program, named);
-        let subgroups = gpu.has_subgroups();
+        let target = prepared.target();
         let mut lights = Vec::new();
         if programs::seeks_light(settings) {
-            let table = &prepared.lights;
-            let kinds = [
-                (&prepared.area_lights, programs::area(subgroups), table.area.len()),
-                (&prepared.point_lights, programs::point(subgroups), table.point.len()),
-            ];
-            for (buffer, program, count) in kinds {
-                if let Some(buffer) = buffer {
-                    let named = [named, &[("lights", buffer)]].concat();
-                    lights.push((Stage::new(prepared, &program, &named)?, count as u32));
-                }
+            for (kind, table) in &prepared.light_tables {
+                let named = [named, &[("lights", table)]].concat();
+                let stage = Stage::new(prepared, &programs::next_event(target, *kind), &named)?;
+                lights.push((stage, prepared.lights.count(*kind)));
             }
         }
-        let areas = prepared.area_lights.is_some();
-        let emit = prepared.area_lights.as_ref().map(|_| bind(kernels::emit())).transpose()?;
+        let areas = prepared.lights.count(LightKind::Area) > 0;
+        let emit = areas.then(|| bind(kernels::emit())).transpose()?;
         let segment = programs::has_segments(settings, areas)
-            .then(|| bind(programs::segment(subgroups, settings.bounces, areas)));
+            .then(|| bind(programs::segment(target, settings.bounces, areas)));
         Ok(Self {
-            camera: bind(programs::camera(subgroups))?,
+            camera: bind(programs::camera(target))?,
             emit,
             lights,
             segment: segment.transpose()?,

@@ -1,0 +1,70 @@
+//! What a scene has, and so what its shaders hold: the one place that decides what is left out.
+
+use crate::scene::{Finish, Scene};
+
+/// Features of a scene beside plain diffuse triangles. What is not there is not linked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Features {
+    /// Shapes that are spheres.
+    pub spheres: bool,
+    /// Surfaces with holes where a texture's alpha is low.
+    pub cutouts: bool,
+    /// Albedo or emission that varies along a surface.
+    pub textures: bool,
+    /// Surfaces with a Phong lobe.
+    pub phong: bool,
+    /// Mirrors or glass: camera rays go on there.
+    pub specular: bool,
+}
+
+impl Features {
+    /// Those of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        let any = |is: &dyn Fn(Finish) -> bool| scene.materials.iter().any(|m| is(m.finish));
+        let varies = scene.materials.iter().flat_map(|m| [m.texture, m.emission_texture]);
+        Self {
+            spheres: !scene.spheres.is_empty(),
+            cutouts: scene.materials.iter().any(|material| material.cutout.is_some()),
+            textures: varies.flatten().next().is_some(),
+            phong: any(&|finish| matches!(finish, Finish::Phong { .. })),
+            specular: any(&|finish| finish.is_specular()),
+        }
+    }
+
+    /// All there are, whatever the scene has: for measuring what leaving out saves.
+    pub fn everything() -> Self {
+        Self { spheres: true, cutouts: true, textures: true, phong: true, specular: true }
+    }
+}
+
+/// What programs are linked for: a device and a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Target {
+    /// Whether the device has subgroups of eight lanes or more.
+    pub subgroups: bool,
+    /// What the scene has.
+    pub features: Features,
+}
+
+impl Target {
+    /// A scene of plain diffuse triangles.
+    pub fn plain(subgroups: bool) -> Self {
+        Self { subgroups, features: Features::default() }
+    }
+
+    /// Enough of the possible ones to link every module: each feature by itself, none, and all.
+    pub fn all() -> Vec<Self> {
+        let none = Features::default();
+        let features = [
+            none,
+            Features { spheres: true, ..none },
+            Features { cutouts: true, ..none },
+            Features { textures: true, ..none },
+            Features { phong: true, ..none },
+            Features { specular: true, ..none },
+            Features::everything(),
+        ];
+        let both = [false, true].into_iter();
+        both.flat_map(|subgroups| features.map(|features| Self { subgroups, features })).collect()
+    }
+}
