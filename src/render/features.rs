@@ -31,6 +31,11 @@ impl Features {
         }
     }
 
+    /// Whether any surface is more than diffuse.
+    pub fn has_finishes(&self) -> bool {
+        self.phong || self.specular
+    }
+
     /// All there are, whatever the scene has: for measuring what leaving out saves.
     pub fn everything() -> Self {
         Self { spheres: true, cutouts: true, textures: true, phong: true, specular: true }
@@ -50,6 +55,11 @@ impl Target {
     /// A scene of plain diffuse triangles.
     pub fn plain(subgroups: bool) -> Self {
         Self { subgroups, features: Features::default() }
+    }
+
+    /// How many values of four channels a point gathers: irradiance, and another for a lobe.
+    pub fn lobes(&self) -> usize {
+        if self.features.phong { 2 } else { 1 }
     }
 
     /// Enough of the possible ones to link every module: each feature by itself, none, and all.
