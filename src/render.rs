@@ -126,8 +126,8 @@ impl Prepared {
     /// needs nothing of how they reflect.
     pub fn target_of(&self, settings: &Settings) -> Target {
         let lit = settings.method.is_lit();
-        let Features { phong, specular, .. } = self.features;
-        let features = Features { phong: phong && lit, specular: specular && lit, ..self.features };
+        let plain = Features { phong: false, mirror: false, glass: false, ..self.features };
+        let features = if lit { self.features } else { plain };
         Target { features, ..self.target() }
     }
 

@@ -136,7 +136,7 @@ impl Finish {
 }
 
 /// A surface, lit on both sides, that may emit.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Material {
     /// The name it has in the files.
     pub name: String,

@@ -8,14 +8,14 @@ use super::{Clamp, Direct, LightKind, Method, Prepared, Settings, Target};
 use crate::gpu::module::{
     ALBEDO_PLAIN, ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT,
     DIRECT_AREA, DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE,
-    EXPAND, FINISH, FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG,
+    EXPAND, FINISH, FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS,
     HIT_POINT, INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LOBES_DIFFUSE, LOBES_PHONG,
-    ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
+    MIRROR, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
     PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER,
     ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY,
     SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, THROUGHPUT_KEPT,
-    THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TYPES, VIEW_KEPT, VIEW_NONE, VISIBILITY,
-    VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
+    THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES,
+    VIEW_KEPT, VIEW_NONE, VISIBILITY, VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -26,7 +26,7 @@ fn traverse(target: Target) -> &'static Module {
 
 /// Camera rays.
 pub fn visible_points(target: Target) -> Program {
-    let keep = if target.features.specular { &KEEP_THROUGHPUT } else { &KEEP_THROUGHPUT_NONE };
+    let keep = if target.features.specular() { &KEEP_THROUGHPUT } else { &KEEP_THROUGHPUT_NONE };
     let modules = camera_rays(target, &[view(target), keep, &VISIBLE]);
     Program { label: "visible points", modules }
 }
@@ -44,10 +44,13 @@ fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module>
 
 /// How rays go on at mirrors and glass, and what they see.
 fn follow(target: Target) -> Vec<&'static Module> {
-    match target.features.specular {
-        true => vec![&HIT_POINT, &FINISH, &TURN, &FOLLOW_SPECULAR],
-        false => vec![&HIT_POINT, &FOLLOW_NONE],
-    }
+    let turns: &[&Module] = match (target.features.mirror, target.features.glass) {
+        (false, false) => return vec![&HIT_POINT, &FOLLOW_NONE],
+        (true, false) => &[&MIRROR, &TURN_MIRROR],
+        (false, true) => &[&GLASS, &TURN_GLASS],
+        (true, true) => &[&MIRROR, &GLASS, &TURN_EITHER],
+    };
+    [&[&HIT_POINT, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
 }
 
 /// Whether a visible point keeps where it is seen from.
@@ -74,7 +77,7 @@ fn vpl(target: Target) -> &'static Module {
 
 /// What comes back of the radiance of visible points.
 fn throughput(target: Target) -> &'static Module {
-    if target.features.specular { &THROUGHPUT_KEPT } else { &THROUGHPUT_NONE }
+    if target.features.specular() { &THROUGHPUT_KEPT } else { &THROUGHPUT_NONE }
 }
 
 /// Direct light from the lights of a kind. From many area lights, those that give much are sought
@@ -287,7 +290,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     }
     match settings.antialiases() {
         true => programs.push(antialias(target)),
-        false => programs.extend(target.features.specular.then(|| resolve(target))),
+        false => programs.extend(target.features.specular().then(|| resolve(target))),
     }
     if prepared.lights.count(LightKind::Area) > 0 {
         programs.push(emit());

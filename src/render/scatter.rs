@@ -178,10 +178,11 @@ pub fn fresnel(cosine: f32, eta: f32) -> f32 {
 
 /// The finishes of a scene's materials, for the device.
 pub fn finishes(scene: &Scene) -> Vec<FinishRecord> {
-    scene.materials.iter().map(finish).collect()
+    scene.materials.iter().map(finish_record).collect()
 }
 
-fn finish(material: &Material) -> FinishRecord {
+/// The finish of a material, for the device.
+pub fn finish_record(material: &Material) -> FinishRecord {
     let (kind, specular, parameter) = match material.finish {
         Finish::Diffuse => (0, Vec3::ZERO, 0.0),
         Finish::Phong { specular, shininess } => (1, specular, shininess),

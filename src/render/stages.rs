@@ -45,7 +45,7 @@ impl Buffers {
         edges: bool,
         target: Target,
     ) -> Result<Self, GpuError> {
-        let specular = target.features.specular;
+        let specular = target.features.specular();
         let colours = |label: &str| gpu.storage::<[f32; 4]>(label, points);
         Ok(Self {
             film: colours("film")?,
@@ -138,7 +138,7 @@ impl Stages {
             antialias: edges
                 .then(|| Stage::new(prepared, &kernels::antialias(target), &on_film))
                 .transpose()?,
-            resolve: (target.features.specular && !edges)
+            resolve: (target.features.specular() && !edges)
                 .then(|| Stage::new(prepared, &kernels::resolve(target), &on_film))
                 .transpose()?,
             show: kernels::show(settings.method).map(bind).transpose()?,

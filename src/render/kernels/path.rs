@@ -33,7 +33,7 @@ fn scatter(target: Target) -> Vec<&'static Module> {
 
 /// What paths see that is emitted towards the camera.
 pub fn emit(target: Target) -> Program {
-    let modules = match target.features.specular {
+    let modules = match target.features.specular() {
         true => vec![&TYPES, &PATH_STATE, &THROUGHPUT_PATH, &EMIT],
         false => vec![&TYPES, &THROUGHPUT_NONE, &EMIT],
     };
