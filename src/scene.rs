@@ -12,6 +12,7 @@ pub(crate) mod document;
 mod draft;
 pub mod environment;
 mod gltf;
+mod mesh;
 mod mtl;
 mod normalise;
 mod obj;
@@ -27,7 +28,7 @@ pub use builtin::BUILTIN_SCENES;
 pub use camera::{Camera, FovAxis};
 pub use draft::{Draft, DraftCamera, DraftMaterial, DraftSphere, DraftSpot, Origin};
 pub use environment::{Environment, EnvironmentImage};
-pub use texture::{Texels, Texture, Wrap};
+pub use texture::{ImageFiles, Texels, Texture, Wrap};
 
 use crate::error::{SceneError, one_line};
 
