@@ -21,7 +21,9 @@ fn main(
     let limit = select(0.0, HUGE, is && pixel.x < params.width && pixel.y < params.height);
     let hit = traverse(params.position, direction, limit, params.nodes, false, invocation);
     if is {
-        points[slot] = hit_point(hit, direction);
+        let point = hit_point(hit, direction);
+        points[slot] = point;
+        keep_albedo(slot, hit, point);
         radiance[slot] = vec4f(0.0);
         paths[slot] = Path(vec3f(1.0), stream);
         survivors[slot] = select(slot, NOTHING, hit.triangle == NOTHING);

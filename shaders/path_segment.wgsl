@@ -28,6 +28,7 @@ fn main(
         let next = hit_point(hit, direction);
         let carried = throughput / probability;
         points[slot] = next;
+        keep_albedo(slot, hit, next);
         paths[slot] = Path(carried, path.stream);
         let density = scattered.density * dot(point.normal, direction);
         find_emission(slot, carried, next, direction, density);

@@ -18,5 +18,9 @@ fn main(
     let limit = select(0.0, HUGE, is);
     let hit = traverse(params.position, direction, limit, params.nodes, false, invocation);
     if hit.triangle != NOTHING { film[id.x].w += 1.0; }
-    if id.x < params.blocks * 64u { points[id.x] = hit_point(hit, direction); }
+    if id.x < params.blocks * 64u {
+        let point = hit_point(hit, direction);
+        points[id.x] = point;
+        keep_albedo(id.x, hit, point);
+    }
 }

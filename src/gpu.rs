@@ -19,7 +19,7 @@ pub use kernel::Kernel;
 pub use layout::{
     AreaLightRecord, CameraParams, DirectParams, ExpandParams, InterleaveParams, MaterialRecord,
     NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams,
-    TriangleRecord, VisibilityParams, VplRecord,
+    TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};

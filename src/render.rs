@@ -14,6 +14,7 @@ mod picture;
 mod settings;
 mod stages;
 mod surface;
+pub mod tables;
 mod tile;
 mod visibility;
 mod visible;
@@ -24,7 +25,7 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 
 use crate::bvh::Bvh;
-use crate::gpu::{Gpu, GpuError, MaterialRecord, PassTime};
+use crate::gpu::{Gpu, GpuError, PassTime};
 use crate::image::Image;
 use crate::scene::{Camera, Scene};
 
@@ -48,7 +49,7 @@ pub struct Prepared {
     pub scene: Scene,
     /// The device.
     pub gpu: Gpu,
-    /// The hierarchy over the scene's triangles.
+    /// The hierarchy over the scene's triangles and spheres.
     pub bvh: Bvh,
     /// The light sources.
     pub lights: Lights,
@@ -59,9 +60,7 @@ pub struct Prepared {
     /// Time spent on linking and compiling shaders, and on uploading the scene.
     pub pipelines_time: Duration,
     kernels: Kernels,
-    nodes: wgpu::Buffer,
-    triangles: wgpu::Buffer,
-    materials: wgpu::Buffer,
+    tables: Vec<tables::Table>,
     light_tables: Vec<(LightKind, wgpu::Buffer)>,
 }
 
@@ -72,31 +71,21 @@ impl Prepared {
     /// # Errors
     /// The device fails, or the scene does not fit it.
     pub fn new(gpu: Gpu, scene: Scene, settings: &Settings) -> Result<Self, GpuError> {
+        let features = Features::of(&scene);
+        tables::check(&gpu, &scene, features)?;
         let start = Instant::now();
-        let bvh = Bvh::build(&scene.triangles);
+        let bvh = Bvh::of(&scene);
         let bvh_time = start.elapsed();
 
         let start = Instant::now();
         let lights = Lights::of(&scene);
-        let materials: Vec<_> = scene
-            .materials
-            .iter()
-            .map(|material| MaterialRecord {
-                albedo: material.albedo.to_array(),
-                two_sided: u32::from(material.two_sided),
-                emission: material.emission.to_array(),
-                pad: 0,
-            })
-            .collect();
         let mut prepared = Self {
-            nodes: gpu.storage_of("BVH nodes", &bvh.nodes)?,
-            triangles: gpu.storage_of("triangles", &bvh.triangles)?,
-            materials: gpu.storage_of("materials", &materials)?,
+            tables: tables::upload(&gpu, &scene, &bvh, features)?,
             light_tables: lights
                 .kinds()
                 .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
                 .collect::<Result<_, GpuError>>()?,
-            features: Features::of(&scene),
+            features,
             kernels: Kernels::default(),
             bvh_time,
             pipelines_time: Duration::ZERO,

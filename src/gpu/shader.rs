@@ -40,7 +40,17 @@ pub mod module {
         TYPES = "types";
         SAMPLING = "sampling";
         PIXELS = "pixels";
+        SHAPE_TRIANGLE = "shape_triangle";
+        SHAPE_ANY = "shape_any" for "spheres";
+        OPAQUE_ALL = "opaque_all";
+        OPAQUE_CUTOUT = "opaque_cutout" for "alpha cut-outs";
+        TEXTURE = "texture";
+        UV_TRIANGLE = "uv_triangle";
+        UV_ANY = "uv_any" for "spheres";
         ALBEDO_PLAIN = "albedo_plain";
+        ALBEDO_TEXTURED = "albedo_textured" for "textures";
+        KEEP_ALBEDO_NONE = "keep_albedo_none";
+        KEEP_ALBEDO = "keep_albedo" for "textures";
         LOBES_DIFFUSE = "lobes_diffuse";
         SCATTER_DIFFUSE = "scatter_diffuse";
         RAY = "ray";
@@ -63,6 +73,8 @@ pub mod module {
         BITS = "bits" for "indirect light";
         PACKET_SHAFT = "packet_shaft";
         PACKET_RAYS = "packet_rays";
+        BLOCKER_TRIANGLE = "blocker_triangle";
+        BLOCKER_ANY = "blocker_any";
         VISIBILITY_PACKET = "visibility_packet" for "indirect light";
         EXPAND = "expand" for "visibility shared by VPL clusters";
         INTERLEAVED = "interleaved" for "interleaved sampling";

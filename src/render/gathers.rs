@@ -58,6 +58,8 @@ pub struct Clustered {
     pub tiling: Tiling,
     /// What the camera rays have hit.
     pub records: Vec<PointRecord>,
+    /// What else is known of them, in the order of `stages::Buffers::kept`.
+    pub kept: Vec<Vec<[f32; 4]>>,
     /// Which of the probes they see, a bit each.
     pub signatures: Option<Vec<u32>>,
     /// Who is in which cluster.
@@ -94,6 +96,7 @@ impl<'a> TileRenderer<'a> {
             None => None,
         };
         let mut records = vec![PointRecord::zeroed(); self.tiling.all_points()];
+        let mut kept = vec![vec![[0.0; 4]; records.len()]; buffers.kept.len()];
         let mut signatures = asked.as_ref().map(|_| vec![0; records.len()]);
         progress(0.0, "visible points");
         for tile in self.tiling.tiles() {
@@ -102,6 +105,10 @@ impl<'a> TileRenderer<'a> {
             let start = Instant::now();
             let read: Vec<PointRecord> = gpu.read(&buffers.points, tile.points() as usize)?;
             records[tile.of_frame()].copy_from_slice(&read);
+            for ((_, buffer), kept) in buffers.kept.iter().zip(&mut kept) {
+                let read: Vec<[f32; 4]> = gpu.read(buffer, tile.points() as usize)?;
+                kept[tile.of_frame()].copy_from_slice(&read);
+            }
             phases.readback += start.elapsed();
             if let (Some(probes), Some(signatures)) = (&asked, &mut signatures) {
                 let (bits, rays) = probes.seen(tile.points(), phases)?;
@@ -115,7 +122,7 @@ impl<'a> TileRenderer<'a> {
         let clusters = PointClusters::of(&records, seen, clustering, self.seed);
         phases.cluster_points += start.elapsed();
         let tiling = self.tiling;
-        Ok(clusters.map(|clusters| Clustered { tiling, records, signatures, clusters }))
+        Ok(clusters.map(|clusters| Clustered { tiling, records, kept, signatures, clusters }))
     }
 
     /// What gathers direct light with clusters that have been found, if the settings ask for

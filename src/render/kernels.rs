@@ -1,20 +1,23 @@
 //! Which shader files make which kernel, and which kernels a scene needs.
 
 pub mod path;
+mod surfaces;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::{Clamp, Direct, LightKind, Method, Prepared, Settings, Target};
+use super::{Clamp, Direct, Features, LightKind, Method, Prepared, Settings, Target};
 use crate::gpu::module::{
-    ALBEDO_PLAIN, ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT,
-    DIRECT_AREA, DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE,
-    EXPAND, GATHER, HIT_POINT, INTERLEAVED, LOBES_DIFFUSE, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT,
-    PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, ROW_CLUSTER,
-    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO,
-    SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES,
-    VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT, DIRECT_AREA,
+    DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER,
+    HIT_POINT, INTERLEAVED, LOBES_DIFFUSE, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED,
+    PAIR_UNBOUNDED, PIXELS, POINT_LIGHT, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING,
+    SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH,
+    SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY,
+    VISIBILITY_PACKET, VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
+
+pub use surfaces::{keep_albedo, shapes};
 
 /// How rays are traced that neighbours trace alike.
 fn traverse(target: Target) -> &'static Module {
@@ -23,7 +26,15 @@ fn traverse(target: Target) -> &'static Module {
 
 /// Camera rays.
 pub fn visible_points(target: Target) -> Program {
-    Program { label: "visible points", modules: camera_rays(target, &[&VISIBLE]) }
+    let mut modules = camera_rays(target, &kept_albedo(target.features));
+    modules.push(&VISIBLE);
+    Program { label: "visible points", modules }
+}
+
+/// The albedo of points, kept by the pass that finds them.
+fn kept_albedo(features: Features) -> Vec<&'static Module> {
+    let read = features.textures.then_some(surfaces::albedo(features));
+    read.into_iter().chain(keep_albedo(features)).collect()
 }
 
 /// More camera rays where pixels see edges.
@@ -33,14 +44,16 @@ pub fn antialias(target: Target) -> Program {
 }
 
 fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(target), &CAMERA, &HIT_POINT];
-    [&first[..], last].concat()
+    let (first, rays) = ([&TYPES, &SAMPLING, &PIXELS], surfaces::rays(target));
+    [&first[..], &rays, &[&CAMERA, &HIT_POINT], last].concat()
 }
 
 /// Direct light from the lights of a kind. From many area lights, those that give much are sought
 /// out.
 pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING, &LOBES_DIFFUSE, &RAY, traverse(target), &DIRECT];
+    let mut modules = vec![&TYPES, &SAMPLING, &LOBES_DIFFUSE];
+    modules.extend(surfaces::rays(target));
+    modules.push(&DIRECT);
     let label = match kind {
         LightKind::Point => {
             modules.extend([&POINT_LIGHT, &DIRECT_POINT]);
@@ -125,8 +138,13 @@ impl Emitter {
 }
 
 /// Shadow rays between points and lights.
-pub fn visibility(_target: Target, tracing: Tracing, emitter: Emitter) -> Program {
-    let mut modules = vec![&TYPES, &RAY, emitter.module(), &BITS];
+pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program {
+    let mut modules = vec![&TYPES];
+    modules.extend(match tracing {
+        Tracing::Single => shapes(target.features),
+        Tracing::Shaft | Tracing::Rays => surfaces::blockers(target.features),
+    });
+    modules.extend([emitter.module(), &BITS]);
     modules.extend(match tracing {
         Tracing::Single => [&TRAVERSE, &VISIBILITY],
         Tracing::Shaft => [&PACKET_SHAFT, &VISIBILITY_PACKET],
@@ -195,17 +213,19 @@ pub fn emit() -> Program {
 }
 
 /// Irradiance to reflected radiance.
-pub fn reflect() -> Program {
-    Program { label: "reflection", modules: vec![&TYPES, &LOBES_DIFFUSE, &ALBEDO_PLAIN, &REFLECT] }
+pub fn reflect(target: Target) -> Program {
+    let albedo = surfaces::albedo(target.features);
+    Program { label: "reflection", modules: vec![&TYPES, &LOBES_DIFFUSE, albedo, &REFLECT] }
 }
 
 /// What the clamp removed.
-pub fn removed() -> Program {
-    Program { label: "clamped energy", modules: vec![&TYPES, &ALBEDO_PLAIN, &REMOVED] }
+pub fn removed(target: Target) -> Program {
+    let albedo = surfaces::albedo(target.features);
+    Program { label: "clamped energy", modules: vec![&TYPES, albedo, &REMOVED] }
 }
 
 /// The picture of a method without light; none for the others.
-pub fn show(method: Method) -> Option<Program> {
+pub fn show(target: Target, method: Method) -> Option<Program> {
     let (label, module) = match method {
         Method::Normal => ("normals", &SHOW_NORMAL),
         Method::Depth => ("depth", &SHOW_DEPTH),
@@ -213,7 +233,7 @@ pub fn show(method: Method) -> Option<Program> {
         _ => return None,
     };
     let mut modules = vec![&TYPES];
-    modules.extend((method == Method::Albedo).then_some(&ALBEDO_PLAIN));
+    modules.extend((method == Method::Albedo).then(|| surfaces::albedo(target.features)));
     modules.push(module);
     Some(Program { label, modules })
 }
@@ -225,7 +245,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     }
     let target = prepared.target();
     let mut programs = vec![visible_points(target)];
-    programs.extend(show(settings.method));
+    programs.extend(show(target, settings.method));
     if !settings.method.is_lit() {
         return programs;
     }
@@ -237,14 +257,14 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     match settings.direct {
         Direct::PerPixel => {
             programs.extend(kinds().map(|kind| direct_for(prepared, kind)));
-            programs.push(reflect());
+            programs.push(reflect(target));
         }
         Direct::Clustered => {
             for emitter in kinds().map(Emitter::of) {
                 let shade = shade(target, false, settings.sharing(), emitter);
                 programs.extend([visibility_for(prepared, emitter), shade]);
             }
-            programs.push(reflect());
+            programs.push(reflect(target));
         }
         Direct::Off => {}
     }
@@ -253,9 +273,9 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         programs.extend([
             visibility_for(prepared, Emitter::Surface),
             shade(target, bounded, settings.sharing(), Emitter::Surface),
-            reflect(),
+            reflect(target),
         ]);
-        programs.extend(bounded.then(removed));
+        programs.extend(bounded.then(|| removed(target)));
         programs.extend(settings.shares_columns().then(expand));
         if settings.interleaves() {
             programs.extend([separate(), collect(settings.probes()), combine()]);
@@ -307,7 +327,7 @@ impl Kernels {
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![emit(), reflect(), removed(), expand()];
+    let mut programs = vec![emit(), expand()];
     programs.extend([separate(), collect(false), collect(true), combine()]);
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
@@ -315,6 +335,9 @@ pub fn all_programs() -> Vec<Program> {
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
         programs.extend([visible_points(target), antialias(target)]);
+        programs.extend([reflect(target), removed(target)]);
+        let shown = [Method::Normal, Method::Depth, Method::Albedo];
+        programs.extend(shown.into_iter().filter_map(|method| show(target, method)));
         for kind in LightKind::ALL {
             programs.extend([false, true].map(|many| direct(target, kind, many)));
         }
@@ -327,7 +350,6 @@ pub fn all_programs() -> Vec<Program> {
         }
         programs.extend(path::all(target));
     }
-    programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));
     programs.extend(path::common());
     let mut distinct: Vec<Program> = Vec::new();
     for program in programs {

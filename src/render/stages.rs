@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Direct, LightKind, Prepared, Settings, kernels};
+use super::{Direct, Features, LightKind, Prepared, Settings, kernels};
 use crate::gpu::{Bindings, CameraParams, Gpu, GpuError, Kernel, Pass, PointRecord, Program};
 
 /// A kernel with its buffers bound, and the buffer of its parameters.
@@ -22,6 +22,8 @@ pub struct Buffers {
     pub film: wgpu::Buffer,
     /// Visible points of one sample.
     pub points: wgpu::Buffer,
+    /// What else is known of them.
+    pub kept: Vec<Kept>,
     /// Irradiance of the kind of light being gathered.
     pub irradiance: Option<wgpu::Buffer>,
     /// Radiance of the visible points of a sample, where edges are antialiased.
@@ -33,18 +35,34 @@ pub struct Buffers {
 /// A buffer and the name by which shaders know it.
 pub type Named<'a> = (&'a str, &'a wgpu::Buffer);
 
+/// What the rays that find points keep of them beside their records: a name, and four numbers a
+/// point.
+pub type Kept = (&'static str, wgpu::Buffer);
+
+/// What a scene's features ask to be kept of so many points.
+///
+/// # Errors
+/// The device refuses.
+pub fn keep(gpu: &Gpu, features: Features, points: usize) -> Result<Vec<Kept>, GpuError> {
+    let names = [("albedos", features.textures)];
+    let asked = names.into_iter().filter(|(_, is)| *is);
+    asked.map(|(name, _)| Ok((name, gpu.storage::<[f32; 4]>(name, points)?))).collect()
+}
+
 impl Buffers {
     fn new(
-        gpu: &Gpu,
+        prepared: &Prepared,
         points: usize,
         gathers: bool,
         clamps: bool,
         edges: bool,
     ) -> Result<Self, GpuError> {
+        let gpu = &prepared.gpu;
         let colours = |label: &str| gpu.storage::<[f32; 4]>(label, points);
         Ok(Self {
             film: colours("film")?,
             points: gpu.storage::<PointRecord>("visible points", points)?,
+            kept: keep(gpu, prepared.features, points)?,
             irradiance: gathers.then(|| colours("irradiance")).transpose()?,
             radiance: edges.then(|| colours("radiance")).transpose()?,
             energy: clamps.then(|| gpu.storage::<[f32; 2]>("energy", points)).transpose()?,
@@ -53,13 +71,8 @@ impl Buffers {
 
     /// These and the scene's, by name.
     pub fn named<'a>(&'a self, prepared: &'a Prepared) -> Vec<Named<'a>> {
-        let mut named = vec![
-            ("nodes", &prepared.nodes),
-            ("triangles", &prepared.triangles),
-            ("materials", &prepared.materials),
-            ("points", &self.points),
-            ("film", &self.film),
-        ];
+        let mut named = vec![("points", &self.points), ("film", &self.film)];
+        named.extend(prepared.tables.iter().chain(&self.kept).map(|(name, of)| (*name, of)));
         named.extend(self.radiance.as_ref().map(|buffer| ("radiance", buffer)));
         named.extend(self.irradiance.as_ref().map(|buffer| ("irradiance", buffer)));
         named.extend(self.energy.as_ref().map(|buffer| ("energy", buffer)));
@@ -106,7 +119,7 @@ impl Stages {
         let shared = lit && settings.direct == Direct::Clustered;
         let gathers = direct || shared || indirect;
         let edges = settings.antialiases();
-        let buffers = Buffers::new(&prepared.gpu, points, gathers, clamps, edges)?;
+        let buffers = Buffers::new(prepared, points, gathers, clamps, edges)?;
         let on_film = buffers.named(prepared);
         // The first buffer of a name counts.
         let mut named = Vec::new();
@@ -126,11 +139,11 @@ impl Stages {
             antialias: edges
                 .then(|| Stage::new(prepared, &kernels::antialias(target), &on_film))
                 .transpose()?,
-            show: kernels::show(settings.method).map(bind).transpose()?,
+            show: kernels::show(target, settings.method).map(bind).transpose()?,
             emit: when(lit && areas, kernels::emit())?,
             direct: tables.iter().map(with_lights).collect::<Result<_, GpuError>>()?,
-            reflect: when(gathers, kernels::reflect())?,
-            removed: when(clamps, kernels::removed())?,
+            reflect: when(gathers, kernels::reflect(target))?,
+            removed: when(clamps, kernels::removed(target))?,
             buffers,
         })
     }

@@ -1,35 +1,26 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, emit, traverse};
+use super::{Prepared, camera_rays, emit, kept_albedo, surfaces};
 use crate::gpu::module::{
-    ALBEDO_PLAIN, AREA_LIGHT, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA,
-    PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT,
-    PATH_RANDOM, PATH_SEGMENT, PATH_STATE, PATH_SUM, PIXELS, POINT_LIGHT, RAY, ROULETTE, SAMPLING,
-    SCATTER_DIFFUSE, TYPES,
+    AREA_LIGHT, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA,
+    PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM,
+    PATH_SEGMENT, PATH_STATE, PATH_SUM, POINT_LIGHT, ROULETTE, SAMPLING, SCATTER_DIFFUSE, TYPES,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, LightKind, Settings, Target};
 
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(target)];
-    modules.extend([&CAMERA, &HIT_POINT, &PATH_STATE, &PATH_CAMERA]);
+    let mut modules = camera_rays(target, &kept_albedo(target.features));
+    modules.extend([&PATH_STATE, &PATH_CAMERA]);
     Program { label: "paths, camera", modules }
 }
 
 fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [
-        &TYPES,
-        &SAMPLING,
-        &RAY,
-        traverse(target),
-        &PATH,
-        &PATH_STATE,
-        &PATH_RANDOM,
-        &ALBEDO_PLAIN,
-        &SCATTER_DIFFUSE,
-    ];
-    [&first[..], last].concat()
+    let (first, rays) = ([&TYPES, &SAMPLING], surfaces::rays(target));
+    let albedo = surfaces::albedo(target.features);
+    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, albedo, &SCATTER_DIFFUSE];
+    [&first[..], &rays, &path, last].concat()
 }
 
 /// Shadow rays to the lights of a kind.
@@ -49,6 +40,7 @@ pub fn next_event(target: Target, kind: LightKind) -> Program {
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = vec![&HIT_POINT, survival];
+    last.extend(surfaces::keep_albedo(target.features));
     match areas {
         true => last.extend([&MIS, &PATH_EMISSION]),
         false => last.push(&PATH_NO_EMISSION),
