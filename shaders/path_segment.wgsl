@@ -38,6 +38,7 @@ fn main(
         let next = hit_point(hit, sight.direction);
         let carried = throughput / probability * throughput_of(sight);
         points[slot] = with_view(next, sight.direction);
+        keep_albedo(slot, hit, next);
         paths[slot] = Path(carried, path.stream);
         // No shadow ray would have gone this way if it was turned.
         let density = scattered.density * dot(point.normal, direction);

@@ -19,7 +19,8 @@ pub use kernel::Kernel;
 pub use layout::{
     AreaLightRecord, CameraParams, DirectParams, ExpandParams, FinishRecord, GlossyVplRecord,
     InterleaveParams, MaterialRecord, NodeRecord, PathParams, PathRecord, PathSum,
-    PointLightRecord, PointRecord, ShadeParams, TriangleRecord, VisibilityParams, VplRecord,
+    PointLightRecord, PointRecord, ShadeParams, TextureRecord, TriangleRecord, VisibilityParams,
+    VplRecord,
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};

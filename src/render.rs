@@ -15,6 +15,7 @@ pub mod scatter;
 mod settings;
 mod stages;
 mod surface;
+pub mod tables;
 mod tile;
 mod visibility;
 mod visible;
@@ -25,7 +26,7 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 
 use crate::bvh::Bvh;
-use crate::gpu::{Gpu, GpuError, MaterialRecord, PassTime};
+use crate::gpu::{Gpu, GpuError, PassTime};
 use crate::image::Image;
 use crate::scene::{Camera, Scene};
 
@@ -49,7 +50,7 @@ pub struct Prepared {
     pub scene: Scene,
     /// The device.
     pub gpu: Gpu,
-    /// The hierarchy over the scene's triangles.
+    /// The hierarchy over the scene's triangles and spheres.
     pub bvh: Bvh,
     /// The light sources.
     pub lights: Lights,
@@ -60,10 +61,7 @@ pub struct Prepared {
     /// Time spent on linking and compiling shaders, and on uploading the scene.
     pub pipelines_time: Duration,
     kernels: Kernels,
-    nodes: wgpu::Buffer,
-    triangles: wgpu::Buffer,
-    materials: wgpu::Buffer,
-    finishes: Option<wgpu::Buffer>,
+    tables: Vec<tables::Table>,
     light_tables: Vec<(LightKind, wgpu::Buffer)>,
 }
 
@@ -74,31 +72,16 @@ impl Prepared {
     /// # Errors
     /// The device fails, or the scene does not fit it.
     pub fn new(gpu: Gpu, scene: Scene, settings: &Settings) -> Result<Self, GpuError> {
+        let features = Features::of(&scene);
+        tables::check(&gpu, &scene, features)?;
         let start = Instant::now();
-        let bvh = Bvh::build(&scene.triangles);
+        let bvh = Bvh::of(&scene);
         let bvh_time = start.elapsed();
 
         let start = Instant::now();
         let lights = Lights::of(&scene);
-        let features = Features::of(&scene);
-        let materials: Vec<_> = scene
-            .materials
-            .iter()
-            .map(|material| MaterialRecord {
-                albedo: material.albedo.to_array(),
-                two_sided: u32::from(material.two_sided),
-                emission: material.emission.to_array(),
-                pad: 0,
-            })
-            .collect();
         let mut prepared = Self {
-            nodes: gpu.storage_of("BVH nodes", &bvh.nodes)?,
-            triangles: gpu.storage_of("triangles", &bvh.triangles)?,
-            materials: gpu.storage_of("materials", &materials)?,
-            finishes: features
-                .has_finishes()
-                .then(|| gpu.storage_of("finishes", &scatter::finishes(&scene)))
-                .transpose()?,
+            tables: tables::upload(&gpu, &scene, &bvh, features)?,
             light_tables: lights
                 .kinds()
                 .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))

@@ -40,6 +40,13 @@ pub mod module {
         TYPES = "types";
         SAMPLING = "sampling";
         PIXELS = "pixels";
+        SHAPE_TRIANGLE = "shape_triangle";
+        SHAPE_ANY = "shape_any" for "spheres";
+        OPAQUE_ALL = "opaque_all";
+        OPAQUE_CUTOUT = "opaque_cutout" for "alpha cut-outs";
+        TEXTURE = "texture";
+        UV_TRIANGLE = "uv_triangle";
+        UV_ANY = "uv_any" for "spheres";
         ALBEDO_PLAIN = "albedo_plain";
         HEMISPHERE = "hemisphere";
         FINISH = "finish";
@@ -48,6 +55,9 @@ pub mod module {
         PHONG = "phong" for "phong";
         GATHERED_DIFFUSE = "gathered_diffuse";
         GATHERED_PHONG = "gathered_phong" for "phong";
+        ALBEDO_TEXTURED = "albedo_textured" for "textures";
+        KEEP_ALBEDO_NONE = "keep_albedo_none";
+        KEEP_ALBEDO = "keep_albedo" for "textures";
         LOBES_DIFFUSE = "lobes_diffuse";
         LOBES_PHONG = "lobes_phong" for "phong";
         SCATTER_DIFFUSE = "scatter_diffuse";
@@ -88,6 +98,8 @@ pub mod module {
         BITS = "bits" for "indirect light";
         PACKET_SHAFT = "packet_shaft";
         PACKET_RAYS = "packet_rays";
+        BLOCKER_TRIANGLE = "blocker_triangle";
+        BLOCKER_ANY = "blocker_any";
         VISIBILITY_PACKET = "visibility_packet" for "indirect light";
         EXPAND = "expand" for "visibility shared by VPL clusters";
         INTERLEAVED = "interleaved" for "interleaved sampling";
@@ -158,6 +170,17 @@ pub struct Linked {
 }
 
 impl Program {
+    /// Of files, each of which is linked once, where it first stands.
+    pub fn new(label: &'static str, modules: Vec<&'static Module>) -> Self {
+        let mut once: Vec<&'static Module> = Vec::with_capacity(modules.len());
+        for module in modules {
+            if !once.contains(&module) {
+                once.push(module);
+            }
+        }
+        Self { label, modules: once }
+    }
+
     /// Joins the files, parses and validates them, and finds what they bind.
     ///
     /// # Errors

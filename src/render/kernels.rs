@@ -1,23 +1,26 @@
 //! Which shader files make which kernel, and which kernels a scene needs.
 
 pub mod path;
+mod surfaces;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::{Clamp, Direct, LightKind, Method, Prepared, Settings, Target};
+use super::{Clamp, Direct, Features, LightKind, Method, Prepared, Settings, Target};
 use crate::gpu::module::{
-    ALBEDO_PLAIN, ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT,
-    DIRECT_AREA, DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE,
-    EXPAND, FINISH, FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS,
-    HIT_POINT, INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LOBES_DIFFUSE, LOBES_PHONG,
-    MIRROR, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
-    PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER,
-    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY,
-    SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, THROUGHPUT_KEPT,
-    THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES,
-    VIEW_KEPT, VIEW_NONE, VISIBILITY, VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
+    ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT, DIRECT_AREA,
+    DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, FINISH,
+    FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS, HIT_POINT,
+    INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LOBES_DIFFUSE, LOBES_PHONG, MIRROR,
+    ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
+    PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER, ROW_POINT,
+    SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SHOW_ALBEDO,
+    SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, THROUGHPUT_KEPT, THROUGHPUT_NONE,
+    TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES, VIEW_KEPT,
+    VIEW_NONE, VISIBILITY, VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
+
+pub use surfaces::{keep_albedo, shapes};
 
 /// How rays are traced that neighbours trace alike.
 fn traverse(target: Target) -> &'static Module {
@@ -27,19 +30,26 @@ fn traverse(target: Target) -> &'static Module {
 /// Camera rays.
 pub fn visible_points(target: Target) -> Program {
     let keep = if target.features.specular() { &KEEP_THROUGHPUT } else { &KEEP_THROUGHPUT_NONE };
-    let modules = camera_rays(target, &[view(target), keep, &VISIBLE]);
-    Program { label: "visible points", modules }
+    let mut modules = camera_rays(target, &kept_albedo(target.features));
+    modules.extend([view(target), keep, &VISIBLE]);
+    Program::new("visible points", modules)
+}
+
+/// The albedo of points, kept by the pass that finds them.
+fn kept_albedo(features: Features) -> Vec<&'static Module> {
+    let read = features.textures.then_some(surfaces::albedo(features));
+    read.into_iter().chain(keep_albedo(features)).collect()
 }
 
 /// More camera rays where pixels see edges.
 pub fn antialias(target: Target) -> Program {
     let modules = camera_rays(target, &[throughput(target), &ONE_SURFACE, &ANTIALIAS]);
-    Program { label: "antialiasing", modules }
+    Program::new("antialiasing", modules)
 }
 
 fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(target), &CAMERA];
-    [&first[..], &follow(target), last].concat()
+    let (first, rays) = ([&TYPES, &SAMPLING, &PIXELS], surfaces::rays(target));
+    [&first[..], &rays, &[&CAMERA], &follow(target), last].concat()
 }
 
 /// How rays go on at mirrors and glass, and what they see.
@@ -85,7 +95,8 @@ fn throughput(target: Target) -> &'static Module {
 pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING];
     modules.extend(lobes(target));
-    modules.extend([&RAY, traverse(target), &DIRECT]);
+    modules.extend(surfaces::rays(target));
+    modules.push(&DIRECT);
     let label = match kind {
         LightKind::Point => {
             modules.extend([&POINT_LIGHT, &DIRECT_POINT]);
@@ -97,7 +108,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
             "direct light, areas"
         }
     };
-    Program { label, modules }
+    Program::new(label, modules)
 }
 
 /// The program for direct light from the lights of a kind in a scene.
@@ -171,13 +182,18 @@ impl Emitter {
 
 /// Shadow rays between points and lights.
 pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program {
-    let mut modules = vec![&TYPES, vpl(target), &RAY, emitter.module(), &BITS];
+    let mut modules = vec![&TYPES, vpl(target)];
+    modules.extend(match tracing {
+        Tracing::Single => shapes(target.features),
+        Tracing::Shaft | Tracing::Rays => surfaces::blockers(target.features),
+    });
+    modules.extend([emitter.module(), &BITS]);
     modules.extend(match tracing {
         Tracing::Single => [&TRAVERSE, &VISIBILITY],
         Tracing::Shaft => [&PACKET_SHAFT, &VISIBILITY_PACKET],
         Tracing::Rays => [&PACKET_RAYS, &VISIBILITY_PACKET],
     });
-    Program { label: "visibility", modules }
+    Program::new("visibility", modules)
 }
 
 /// The visibility program that suits a scene and its device.
@@ -187,13 +203,13 @@ pub fn visibility_for(prepared: &Prepared, emitter: Emitter) -> Program {
 
 /// Visibility of VPLs from that of their clusters.
 pub fn expand() -> Program {
-    Program { label: "expansion", modules: vec![&EXPAND] }
+    Program::new("expansion", vec![&EXPAND])
 }
 
 /// Interleaved sampling: points into the order of subsets.
 pub fn separate() -> Program {
     let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &SEPARATE];
-    Program { label: "separation", modules }
+    Program::new("separation", modules)
 }
 
 /// Interleaved sampling: what points have gathered into rows of pixels, with signatures where
@@ -201,13 +217,13 @@ pub fn separate() -> Program {
 pub fn collect(target: Target, probed: bool) -> Program {
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
     let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, signature, &COLLECT];
-    Program { label: "collection", modules }
+    Program::new("collection", modules)
 }
 
 /// Interleaved sampling: what the pixels around have gathered.
 pub fn combine(target: Target) -> Program {
     let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, &ONE_SURFACE, &COMBINE];
-    Program { label: "combination", modules }
+    Program::new("combination", modules)
 }
 
 /// Whose row of the bit matrix a point reads.
@@ -238,33 +254,35 @@ pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) 
         true => &SHADE_COOPERATIVE,
         false => &SHADE,
     });
-    Program { label: "shading", modules }
+    Program::new("shading", modules)
 }
 
 /// Emission towards the camera.
 pub fn emit() -> Program {
-    Program { label: "emission", modules: vec![&TYPES, &THROUGHPUT_NONE, &EMIT] }
+    Program::new("emission", vec![&TYPES, &THROUGHPUT_NONE, &EMIT])
 }
 
 /// What visible points have gathered to reflected radiance.
 pub fn reflect(target: Target) -> Program {
-    let modules = [&[&TYPES][..], &lobes(target), &[&ALBEDO_PLAIN, &REFLECT]].concat();
-    Program { label: "reflection", modules }
+    let albedo = surfaces::albedo(target.features);
+    let modules = [&[&TYPES][..], &lobes(target), &[albedo, &REFLECT]].concat();
+    Program::new("reflection", modules)
 }
 
 /// What the clamp removed.
 pub fn removed(target: Target) -> Program {
-    let modules = [&[&TYPES][..], &lobes(target), &[&ALBEDO_PLAIN, &REMOVED]].concat();
-    Program { label: "clamped energy", modules }
+    let albedo = surfaces::albedo(target.features);
+    let modules = [&[&TYPES][..], &lobes(target), &[albedo, &REMOVED]].concat();
+    Program::new("clamped energy", modules)
 }
 
 /// Radiance of visible points to the film, through mirrors and glass.
 pub fn resolve(target: Target) -> Program {
-    Program { label: "throughput", modules: vec![&TYPES, throughput(target), &RESOLVE] }
+    Program::new("throughput", vec![&TYPES, throughput(target), &RESOLVE])
 }
 
 /// The picture of a method without light; none for the others.
-pub fn show(method: Method) -> Option<Program> {
+pub fn show(target: Target, method: Method) -> Option<Program> {
     let (label, module) = match method {
         Method::Normal => ("normals", &SHOW_NORMAL),
         Method::Depth => ("depth", &SHOW_DEPTH),
@@ -272,9 +290,9 @@ pub fn show(method: Method) -> Option<Program> {
         _ => return None,
     };
     let mut modules = vec![&TYPES];
-    modules.extend((method == Method::Albedo).then_some(&ALBEDO_PLAIN));
+    modules.extend((method == Method::Albedo).then(|| surfaces::albedo(target.features)));
     modules.push(module);
-    Some(Program { label, modules })
+    Some(Program::new(label, modules))
 }
 
 /// The programs that a scene and settings need: the one list of what is linked.
@@ -284,7 +302,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     }
     let target = prepared.target_of(settings);
     let mut programs = vec![visible_points(target)];
-    programs.extend(show(settings.method));
+    programs.extend(show(target, settings.method));
     if !settings.method.is_lit() {
         return programs;
     }
@@ -378,6 +396,8 @@ pub fn all_programs() -> Vec<Program> {
         programs.extend([visible_points(target), antialias(target), resolve(target)]);
         programs.extend([reflect(target), removed(target), combine(target)]);
         programs.extend([false, true].map(|probed| collect(target, probed)));
+        let shown = [Method::Normal, Method::Depth, Method::Albedo];
+        programs.extend(shown.into_iter().filter_map(|method| show(target, method)));
         for kind in LightKind::ALL {
             programs.extend([false, true].map(|many| direct(target, kind, many)));
         }
@@ -390,7 +410,6 @@ pub fn all_programs() -> Vec<Program> {
         }
         programs.extend(path::all(target));
     }
-    programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));
     programs.extend(path::common());
     let mut distinct: Vec<Program> = Vec::new();
     for program in programs {

@@ -1,11 +1,11 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, camera_rays, follow, traverse, view};
+use super::{Prepared, camera_rays, follow, kept_albedo, surfaces, view};
 use crate::gpu::module::{
-    ALBEDO_PLAIN, AREA_LIGHT, CHOOSE_LIGHT, EMIT, FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG,
-    MIS, NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION,
-    PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM, PATH_SEGMENT, PATH_STATE, PATH_SUM,
-    PHONG, POINT_LIGHT, RAY, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, THROUGHPUT_NONE,
+    AREA_LIGHT, CHOOSE_LIGHT, EMIT, FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS,
+    NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT,
+    PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM, PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG,
+    POINT_LIGHT, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, THROUGHPUT_NONE,
     THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
 };
 use crate::gpu::{Module, Program};
@@ -13,14 +13,15 @@ use crate::render::{Bounces, Direct, LightKind, Settings, Target};
 
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
-    let modules = camera_rays(target, &[view(target), &PATH_STATE, &PATH_CAMERA]);
-    Program { label: "paths, camera", modules }
+    let mut modules = camera_rays(target, &kept_albedo(target.features));
+    modules.extend([view(target), &PATH_STATE, &PATH_CAMERA]);
+    Program::new("paths, camera", modules)
 }
 
 fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &HEMISPHERE, &RAY, traverse(target)];
-    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, &ALBEDO_PLAIN];
-    [&first[..], &path, &scatter(target), last].concat()
+    let (first, rays) = ([&TYPES, &SAMPLING, &HEMISPHERE], surfaces::rays(target));
+    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, surfaces::albedo(target.features)];
+    [&first[..], &rays, &path, &scatter(target), last].concat()
 }
 
 /// How surfaces scatter light.
@@ -37,7 +38,7 @@ pub fn emit(target: Target) -> Program {
         true => vec![&TYPES, &PATH_STATE, &THROUGHPUT_PATH, &EMIT],
         false => vec![&TYPES, &THROUGHPUT_NONE, &EMIT],
     };
-    Program { label: "emission", modules }
+    Program::new("emission", modules)
 }
 
 /// Shadow rays to the lights of a kind.
@@ -50,37 +51,36 @@ pub fn next_event(target: Target, kind: LightKind) -> Program {
             ("paths, area lights", &[&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA])
         }
     };
-    Program { label, modules: vertex(target, last) }
+    Program::new(label, vertex(target, last))
 }
 
 /// The next segment of paths, in a scene with or without area lights.
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = follow(target);
-    // A module stands once in a program.
-    last.retain(|module| !scatter(target).contains(module));
     last.push(survival);
+    last.extend(surfaces::keep_albedo(target.features));
     match areas {
         true => last.extend([&MIS, &PATH_EMISSION]),
         false => last.push(&PATH_NO_EMISSION),
     }
     last.push(&PATH_SEGMENT);
-    Program { label: "paths, segment", modules: vertex(target, &last) }
+    Program::new("paths, segment", vertex(target, &last))
 }
 
 /// How many paths go on.
 pub fn count() -> Program {
-    Program { label: "paths, count", modules: vec![&TYPES, &PATH, &PATH_COUNT] }
+    Program::new("paths, count", vec![&TYPES, &PATH, &PATH_COUNT])
 }
 
 /// The queue of those that do.
 pub fn compact() -> Program {
-    Program { label: "paths, queue", modules: vec![&TYPES, &PATH, &PATH_COMPACT] }
+    Program::new("paths, queue", vec![&TYPES, &PATH, &PATH_COMPACT])
 }
 
 /// Mean and spread of the samples of pixels.
 pub fn sum() -> Program {
-    Program { label: "paths, sum", modules: vec![&PATH, &PATH_SUM] }
+    Program::new("paths, sum", vec![&PATH, &PATH_SUM])
 }
 
 /// Whether paths have a vertex where they seek light straight from its source.
