@@ -7,6 +7,7 @@ mod interleave;
 pub mod kernels;
 mod light;
 mod light_set;
+pub mod literals;
 mod merge;
 mod path;
 mod picture;
@@ -33,6 +34,7 @@ pub use vpl::{LightPaths, Vpl};
 
 use gathers::{Clustered, Gathers};
 use light_set::LightSet;
+use literals::Literals;
 pub use merge::{VirtualLight, VplClusters};
 use path::PathTracer;
 use tile::TileRenderer;
@@ -53,6 +55,7 @@ pub struct Prepared {
     pub bvh_time: Duration,
     /// Time spent on linking and compiling shaders, and on uploading the scene.
     pub pipelines_time: Duration,
+    literals: Option<Literals>,
     kernels: Kernels,
     nodes: wgpu::Buffer,
     triangles: wgpu::Buffer,
@@ -84,7 +87,9 @@ impl Prepared {
                 pad: 0,
             })
             .collect();
+        let places: Vec<_> = scene.point_lights.iter().map(|light| light.position).collect();
         let mut prepared = Self {
+            literals: Literals::of(&bvh.triangles, &places),
             nodes: gpu.storage_of("BVH nodes", &bvh.nodes)?,
             triangles: gpu.storage_of("triangles", &bvh.triangles)?,
             materials: gpu.storage_of("materials", &materials)?,

@@ -99,7 +99,7 @@ fn shadow_rays_of_representatives_in_the_room() {
 
     let words = vpls.len().div_ceil(32) as u32;
     let slices: Vec<u32> = (0..words).step_by(24).map(|word| 24.min(words - word)).collect();
-    let pass = VisibilityPass::new(common::gpu(), Tracing::Rays, &bvh, &points, &vpls);
+    let pass = VisibilityPass::new(common::gpu(), &Tracing::Rays, &bvh, &points, &vpls);
     // As in the renderer.
     let mut at_once = 16;
     let run = || loop {

@@ -9,13 +9,18 @@ use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::gpu::{PointRecord, VplRecord};
 use gpu_vpl::render::kernels::Tracing;
+use gpu_vpl::render::literals::Literals;
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::Triangle;
 
-fn kernels() -> Vec<Tracing> {
+/// With literals for small scenes.
+fn kernels(bvh: &Bvh) -> Vec<Tracing> {
     let mut kernels = vec![Tracing::Single];
     if common::gpu().has_subgroups() {
         kernels.extend([Tracing::Shaft, Tracing::Rays]);
+    }
+    if let Some(literals) = Literals::of(&bvh.triangles, &[]) {
+        kernels.push(Tracing::Literals(literals.all));
     }
     kernels
 }
@@ -113,13 +118,13 @@ fn all_kernels_and_the_host_see_the_same() {
             let lit: u64 = expected.iter().map(|word| u64::from(word.count_ones())).sum();
             seen += lit;
             blocked += rays - lit;
-            for tracing in kernels() {
+            for tracing in kernels(&bvh) {
                 // Packets take whole shafts only through small hierarchies.
                 if tracing == Tracing::Shaft && bvh.nodes.len() > 1000 {
                     continue;
                 }
                 let words = vpls.len().div_ceil(32) as u32;
-                let got = visible(common::gpu(), tracing, &bvh, &points, &vpls, &[words]);
+                let got = visible(common::gpu(), &tracing, &bvh, &points, &vpls, &[words]);
                 let what = format!("{name}, {tracing:?}, {} × {}", points.len(), vpls.len());
                 // Nearly every pair is far from the horizon, and a scene's alike: the same
                 // cosines are positive but for one in 10⁵.
@@ -131,7 +136,7 @@ fn all_kernels_and_the_host_see_the_same() {
                 // Slices of the matrix, one dispatch each, make the same whole.
                 if words > 2 {
                     let slices = [1, words - 2, 1];
-                    let sliced = visible(common::gpu(), tracing, &bvh, &points, &vpls, &slices);
+                    let sliced = visible(common::gpu(), &tracing, &bvh, &points, &vpls, &slices);
                     assert!(sliced == got, "{what}: slices differ from the whole");
                 }
             }
@@ -159,9 +164,9 @@ fn walls_of_a_convex_room_block_nothing() {
         let vpls: Vec<_> = (0..96).map(|_| inside(&mut rng)).collect();
         let point_records: Vec<_> = points.iter().map(|&(p, n)| point(p, n)).collect();
         let vpl_records: Vec<_> = vpls.iter().map(|&(p, n)| vpl(p, n, Vec3::ONE)).collect();
-        for tracing in kernels() {
+        for tracing in kernels(&bvh) {
             let gpu = common::gpu();
-            let (bits, _) = visible(gpu, tracing, &bvh, &point_records, &vpl_records, &[3]);
+            let (bits, _) = visible(gpu, &tracing, &bvh, &point_records, &vpl_records, &[3]);
             for (j, &(s, m)) in vpls.iter().enumerate() {
                 for (i, &(x, n)) in points.iter().enumerate() {
                     let sees = bits[j / 32 * points.len() + i] >> (j % 32) & 1 == 1;
@@ -172,6 +177,46 @@ fn walls_of_a_convex_room_block_nothing() {
                 }
             }
         }
+    }
+}
+
+/// Triangles that bound a scene hide nothing in it from anything. Two places in the plane of one,
+/// on both its sides, have cosines that are rounding: no light passes between them.
+#[test]
+fn what_bounds_a_scene_blocks_nothing() {
+    let mut rng = Rng(5);
+    let turned = Mat3::from_rotation_x(0.3) * Mat3::from_rotation_y(1.1);
+    for turn in [Mat3::IDENTITY, turned] {
+        let mut triangles = cube(1, turn);
+        triangles.extend(soup(&mut rng, 20, 1.5));
+        for triangle in &mut triangles[12..] {
+            triangle.vertices = triangle.vertices.map(|vertex| turn * (0.3 * vertex));
+        }
+        let bvh = Bvh::build(&triangles);
+        let (points, vpls) = random(&mut rng, &triangles, 500, 96);
+        let (expected, _) = reference(&bvh, &points, &vpls);
+        let literals = Literals::of(&bvh.triangles, &[]).expect("it is small");
+        let count = |text: &str| text.matches("nearer").count();
+        assert_eq!((count(&literals.all), count(&literals.blockers)), (32, 20));
+        let beside = Literals::of(&bvh.triangles, &[turn * Vec3::X]).expect("it is small");
+        assert_eq!(count(&beside.blockers), 22, "a light beyond a wall");
+
+        let tracing = Tracing::Literals(literals.blockers);
+        let (bits, _) = visible(common::gpu(), &tracing, &bvh, &points, &vpls, &[3]);
+        let (mut differ, mut blocked) = (0, 0);
+        for (j, vpl) in vpls.iter().enumerate() {
+            for (i, point) in points.iter().enumerate() {
+                let [x, n, s, m] =
+                    [point.position, point.normal, vpl.position, vpl.normal].map(Vec3::from_array);
+                let at = |bits: &[u32]| bits[j / 32 * points.len() + i] >> (j % 32) & 1;
+                if (x - s).dot(n) < -1e-6 && (x - s).dot(m) > 1e-6 {
+                    differ += u32::from(at(&bits) != at(&expected));
+                    blocked += 1 - at(&expected);
+                }
+            }
+        }
+        assert!(blocked > 500, "{blocked} rays are blocked: a weak test");
+        assert!(differ <= 3, "{differ} bits differ from the host's");
     }
 }
 

@@ -1,54 +1,46 @@
 //! Which shader files make which kernel, and which kernels a scene needs.
 
 pub mod path;
+mod tracing;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::literals::meet;
 use super::{Clamp, Direct, Method, Prepared, Settings};
 use crate::gpu::module::{
     ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT, DIRECT_AREA,
     DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER,
-    HIT_POINT, INTERLEAVED, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED,
-    PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY,
-    SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
-    SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY,
-    VISIBILITY_PACKET, VISIBLE,
+    HIT_POINT, INTERLEAVED, ONE_SURFACE, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, POINT_LIGHT, RAY,
+    REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE,
+    SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED,
+    TYPES, VISIBLE,
 };
-use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
-
-/// How rays are traced that neighbours trace alike.
-fn traverse(subgroups: bool) -> &'static Module {
-    if subgroups { &TRAVERSE_PACKET } else { &TRAVERSE }
-}
+use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program, TriangleRecord};
+pub use tracing::{Purpose, Tracing, Traversal};
 
 /// Camera rays.
-pub fn visible_points(subgroups: bool) -> Program {
-    Program { label: "visible points", modules: camera_rays(subgroups, &[&VISIBLE]) }
+pub fn visible_points(nearest: &Traversal) -> Program {
+    let modules = [&TYPES, &SAMPLING, &PIXELS, &CAMERA, &HIT_POINT, &VISIBLE];
+    nearest.link("visible points", &modules)
 }
 
 /// More camera rays where pixels see edges.
-pub fn antialias(subgroups: bool) -> Program {
-    let modules = camera_rays(subgroups, &[&ONE_SURFACE, &ANTIALIAS]);
-    Program { label: "antialiasing", modules }
-}
-
-fn camera_rays(subgroups: bool, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(subgroups), &CAMERA, &HIT_POINT];
-    [&first[..], last].concat()
+pub fn antialias(nearest: &Traversal) -> Program {
+    let modules = [&TYPES, &SAMPLING, &PIXELS, &CAMERA, &HIT_POINT, &ONE_SURFACE, &ANTIALIAS];
+    nearest.link("antialiasing", &modules)
 }
 
 /// Direct light from point lights.
-pub fn direct_point(subgroups: bool) -> Program {
-    let modules = vec![&TYPES, &RAY, traverse(subgroups), &DIRECT, &POINT_LIGHT, &DIRECT_POINT];
-    Program { label: "direct light, points", modules }
+pub fn direct_point(shadow: &Traversal) -> Program {
+    let modules = [&TYPES, &DIRECT, &POINT_LIGHT, &DIRECT_POINT];
+    shadow.link("direct light, points", &modules)
 }
 
 /// Direct light from emitting triangles: from many, those that give much are sought out.
-pub fn direct_area(subgroups: bool, many: bool) -> Program {
+pub fn direct_area(shadow: &Traversal, many: bool) -> Program {
     let draw = if many { &DRAW_RESAMPLED } else { &DRAW_ONE };
-    let mut modules = vec![&TYPES, &SAMPLING, &RAY, traverse(subgroups), &DIRECT];
-    modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, draw, &DIRECT_AREA]);
-    Program { label: "direct light, areas", modules }
+    let modules = [&TYPES, &SAMPLING, &DIRECT, &CHOOSE_LIGHT, &AREA_LIGHT, draw, &DIRECT_AREA];
+    shadow.link("direct light, areas", &modules)
 }
 
 /// The program for direct light from the emitting triangles of a scene.
@@ -56,31 +48,7 @@ pub fn direct_area_for(prepared: &Prepared) -> Program {
     /// A lamp or two, of which all points see much the same.
     const FEW_LIGHTS: usize = 16;
     let many = prepared.lights.area.len() > FEW_LIGHTS;
-    direct_area(prepared.gpu.has_subgroups(), many)
-}
-
-/// How the shadow rays between points and VPLs are traced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tracing {
-    /// Each ray by itself, for adapters without subgroups.
-    Single,
-    /// Packets against boxes as a whole.
-    Shaft,
-    /// Packets against boxes ray by ray.
-    Rays,
-}
-
-impl Tracing {
-    /// Hierarchies of more nodes have boxes so small that a packet is best tested ray by ray.
-    const SHAFT_NODES: usize = 1000;
-
-    fn of(prepared: &Prepared) -> Self {
-        match prepared.gpu.has_subgroups() {
-            false => Self::Single,
-            true if prepared.bvh.nodes.len() <= Self::SHAFT_NODES => Self::Shaft,
-            true => Self::Rays,
-        }
-    }
+    direct_area(&Traversal::of(prepared, Purpose::Shadow), many)
 }
 
 /// How many rays one invocation may trace in a dispatch, a power of two up to the 32 of a
@@ -114,30 +82,24 @@ impl Emitter {
 }
 
 /// Shadow rays between points and lights.
-pub fn visibility(tracing: Tracing, emitter: Emitter) -> Program {
-    let mut modules = vec![&TYPES, &RAY, emitter.module(), &BITS];
-    modules.extend(match tracing {
-        Tracing::Single => [&TRAVERSE, &VISIBILITY],
-        Tracing::Shaft => [&PACKET_SHAFT, &VISIBILITY_PACKET],
-        Tracing::Rays => [&PACKET_RAYS, &VISIBILITY_PACKET],
-    });
-    Program { label: "visibility", modules }
+pub fn visibility(tracing: &Tracing, emitter: Emitter) -> Program {
+    tracing.link(&[&TYPES, &RAY, emitter.module(), &BITS])
 }
 
 /// The visibility program that suits a scene and its device.
 pub fn visibility_for(prepared: &Prepared, emitter: Emitter) -> Program {
-    visibility(Tracing::of(prepared), emitter)
+    visibility(&Tracing::of(prepared), emitter)
 }
 
 /// Visibility of VPLs from that of their clusters.
 pub fn expand() -> Program {
-    Program { label: "expansion", modules: vec![&EXPAND] }
+    Program::new("expansion", vec![&EXPAND])
 }
 
 /// Interleaved sampling: points into the order of subsets.
 pub fn separate() -> Program {
     let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &SEPARATE];
-    Program { label: "separation", modules }
+    Program::new("separation", modules)
 }
 
 /// Interleaved sampling: what points have gathered into rows of pixels, with signatures where
@@ -145,13 +107,13 @@ pub fn separate() -> Program {
 pub fn collect(probed: bool) -> Program {
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
     let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, signature, &COLLECT];
-    Program { label: "collection", modules }
+    Program::new("collection", modules)
 }
 
 /// Interleaved sampling: what the pixels around have gathered.
 pub fn combine() -> Program {
     let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &ONE_SURFACE, &COMBINE];
-    Program { label: "combination", modules }
+    Program::new("combination", modules)
 }
 
 /// Whose row of the bit matrix a point reads.
@@ -175,22 +137,22 @@ pub fn shade(subgroups: bool, bounded: bool, sharing: Sharing, emitter: Emitter)
         Sharing::Fuzzy => modules.push(&SEEN_FUZZY),
     }
     modules.push(if subgroups { &SHADE_COOPERATIVE } else { &SHADE });
-    Program { label: "shading", modules }
+    Program::new("shading", modules)
 }
 
 /// Emission towards the camera.
 pub fn emit() -> Program {
-    Program { label: "emission", modules: vec![&TYPES, &EMIT] }
+    Program::new("emission", vec![&TYPES, &EMIT])
 }
 
 /// Irradiance to reflected radiance.
 pub fn reflect() -> Program {
-    Program { label: "reflection", modules: vec![&TYPES, &REFLECT] }
+    Program::new("reflection", vec![&TYPES, &REFLECT])
 }
 
 /// What the clamp removed.
 pub fn removed() -> Program {
-    Program { label: "clamped energy", modules: vec![&TYPES, &REMOVED] }
+    Program::new("clamped energy", vec![&TYPES, &REMOVED])
 }
 
 /// The picture of a method without light; none for the others.
@@ -201,7 +163,7 @@ pub fn show(method: Method) -> Option<Program> {
         Method::Albedo => ("albedo", &SHOW_ALBEDO),
         _ => return None,
     };
-    Some(Program { label, modules: vec![&TYPES, module] })
+    Some(Program::new(label, vec![&TYPES, module]))
 }
 
 /// The programs that a scene and settings need: the one list of what is linked.
@@ -210,12 +172,14 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         return path::needed(prepared, settings);
     }
     let subgroups = prepared.gpu.has_subgroups();
-    let mut programs = vec![visible_points(subgroups)];
+    let [nearest, shadow] =
+        [Purpose::Nearest, Purpose::Shadow].map(|purpose| Traversal::of(prepared, purpose));
+    let mut programs = vec![visible_points(&nearest)];
     programs.extend(show(settings.method));
     if !settings.method.is_lit() {
         return programs;
     }
-    programs.extend(settings.antialiases().then(|| antialias(subgroups)));
+    programs.extend(settings.antialiases().then(|| antialias(&nearest)));
     if prepared.area_lights.is_some() {
         programs.push(emit());
     }
@@ -223,7 +187,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     let areas = prepared.area_lights.is_some();
     match settings.direct {
         Direct::PerPixel => {
-            programs.extend(points.then(|| direct_point(subgroups)));
+            programs.extend(points.then(|| direct_point(&shadow)));
             programs.extend(areas.then(|| direct_area_for(prepared)));
             programs.push(reflect());
         }
@@ -294,18 +258,34 @@ impl Kernels {
     }
 }
 
+/// A scene for which literals are written.
+const EXAMPLE: TriangleRecord = TriangleRecord {
+    a: [0.0; 3],
+    material: 0,
+    b: [1.0, 0.0, 0.0],
+    index: 0,
+    c: [0.0, 1.0, 0.0],
+    pad: 0,
+};
+
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
     let mut programs = vec![emit(), reflect(), removed(), expand()];
     programs.extend([separate(), collect(false), collect(true), combine()]);
+    let generated: Arc<str> = meet(&[EXAMPLE]).into();
     for emitter in [Emitter::Surface, Emitter::Point] {
-        let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays];
-        programs.extend(tracing.map(|tracing| visibility(tracing, emitter)));
+        let literals = Tracing::Literals(generated.clone());
+        let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays, literals];
+        programs.extend(tracing.map(|tracing| visibility(&tracing, emitter)));
     }
+    let traversals = [Traversal::Single, Traversal::Packets, Traversal::Literals(generated)];
+    for traversal in &traversals {
+        programs.extend([visible_points(traversal), antialias(traversal)]);
+        programs.push(direct_point(traversal));
+        programs.extend([false, true].map(|many| direct_area(traversal, many)));
+    }
+    programs.extend(path::all(&traversals));
     for subgroups in [false, true] {
-        programs.extend([visible_points(subgroups), antialias(subgroups)]);
-        programs.push(direct_point(subgroups));
-        programs.extend([false, true].map(|many| direct_area(subgroups, many)));
         let sharing = [Sharing::Cluster, Sharing::Fuzzy];
         programs.extend(sharing.map(|sharing| shade(subgroups, false, sharing, Emitter::Point)));
         for bounded in [false, true] {
@@ -315,6 +295,5 @@ pub fn all_programs() -> Vec<Program> {
         }
     }
     programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));
-    programs.extend(path::all());
     programs
 }

@@ -4,7 +4,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Direct, Prepared, Settings, kernels};
+use super::kernels::{self, Purpose, Traversal};
+use super::{Direct, Prepared, Settings};
 use crate::gpu::{Bindings, CameraParams, Gpu, GpuError, Kernel, Pass, PointRecord, Program};
 
 /// A kernel with its buffers bound, and the buffer of its parameters.
@@ -121,16 +122,17 @@ impl Stages {
             let bind = |lights| Stage::new(prepared, &program, &[&named[..], &[lights]].concat());
             lights.map(|lights| bind(("lights", lights))).transpose()
         };
-        let subgroups = prepared.gpu.has_subgroups();
+        let [nearest, shadow] =
+            [Purpose::Nearest, Purpose::Shadow].map(|purpose| Traversal::of(prepared, purpose));
         let (point_lights, area_lights) = (&prepared.point_lights, &prepared.area_lights);
         Ok(Self {
-            visible: Stage::new(prepared, &kernels::visible_points(subgroups), &on_film)?,
+            visible: Stage::new(prepared, &kernels::visible_points(&nearest), &on_film)?,
             antialias: edges
-                .then(|| Stage::new(prepared, &kernels::antialias(subgroups), &on_film))
+                .then(|| Stage::new(prepared, &kernels::antialias(&nearest), &on_film))
                 .transpose()?,
             show: kernels::show(settings.method).map(bind).transpose()?,
             emit: when(lit && area_lights.is_some(), kernels::emit())?,
-            direct_point: with_lights(point_lights, kernels::direct_point(subgroups))?,
+            direct_point: with_lights(point_lights, kernels::direct_point(&shadow))?,
             direct_area: with_lights(area_lights, kernels::direct_area_for(prepared))?,
             reflect: when(gathers, kernels::reflect())?,
             removed: when(clamps, kernels::removed())?,

@@ -78,7 +78,7 @@ pub fn irradiance(
 /// dispatches have, one after the other.
 pub fn visible(
     gpu: &Gpu,
-    tracing: Tracing,
+    tracing: &Tracing,
     bvh: &Bvh,
     points: &[PointRecord],
     vpls: &[VplRecord],
@@ -91,7 +91,8 @@ pub fn visible(
 /// The visibility pass with its buffers, ready to run.
 pub struct VisibilityPass<'a> {
     gpu: &'a Gpu,
-    tracing: Tracing,
+    /// Of an invocation.
+    points: u32,
     kernel: Kernel,
     bindings: Bindings,
     params: wgpu::Buffer,
@@ -104,7 +105,7 @@ pub struct VisibilityPass<'a> {
 impl<'a> VisibilityPass<'a> {
     pub fn new(
         gpu: &'a Gpu,
-        tracing: Tracing,
+        tracing: &Tracing,
         bvh: &Bvh,
         points: &[PointRecord],
         vpls: &[VplRecord],
@@ -126,7 +127,7 @@ impl<'a> VisibilityPass<'a> {
         ];
         let bindings = gpu.bind(&kernel, &buffers).unwrap();
         let counts = [points.len(), vpls.len(), bvh.nodes.len()];
-        Self { gpu, tracing, kernel, bindings, params, bits, counter, counts }
+        Self { gpu, points: tracing.points(), kernel, bindings, params, bits, counter, counts }
     }
 
     /// The bits and the number of rays, in dispatches of so many words and of `at_once` VPLs
@@ -152,7 +153,7 @@ impl<'a> VisibilityPass<'a> {
                     pad: [0; 3],
                 };
                 gpu.write(&self.params, &[record]).unwrap();
-                let groups = workgroups(*points, self.tracing != Tracing::Single);
+                let groups = workgroups(*points, self.points == 4);
                 gpu.run(&[Pass { kernel, bindings, workgroups: [groups, slice] }]).unwrap();
             }
             first_word += slice;

@@ -1,10 +1,13 @@
 //! Rays traced on the host and on the device, and shapes to trace them against.
 
+use std::sync::Arc;
+
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
-use gpu_vpl::gpu::module::{RAY, TRAVERSE, TRAVERSE_PACKET, TYPES};
+use gpu_vpl::gpu::module::{CORNERS, LITERAL_RAY, RAY, TRAVERSE, TRAVERSE_PACKET, TYPES};
 use gpu_vpl::gpu::{Module, Pass, PointRecord, Program};
+use gpu_vpl::render::literals::meet;
 use gpu_vpl::scene::Triangle;
 
 use super::Rng;
@@ -47,18 +50,34 @@ impl Answer {
     }
 }
 
-/// The ways to trace on this device: ray by ray, and in packets where it has subgroups.
+/// More triangles take long to compile as literals; the renderer stops long before.
+const MOST_LITERALS: usize = 220;
+
+/// The ways to trace on this device: ray by ray, in packets where it has subgroups, and against
+/// literals if they are few.
 pub fn on_device(bvh: &Bvh, rays: &[Ray], any: bool) -> Vec<(&'static str, Vec<Answer>)> {
-    let mut sides = vec![("device", with(&TRAVERSE, bvh, rays, any))];
+    let mut sides = vec![("device", with(&[&TRAVERSE], None, bvh, rays, any))];
     if super::gpu().has_subgroups() {
-        sides.push(("device, packets", with(&TRAVERSE_PACKET, bvh, rays, any)));
+        sides.push(("device, packets", with(&[&TRAVERSE_PACKET], None, bvh, rays, any)));
+    }
+    if bvh.triangles.len() <= MOST_LITERALS {
+        let text = Some(meet(&bvh.triangles).into());
+        let answers = with(&[&LITERAL_RAY, &CORNERS], text, bvh, rays, any);
+        sides.push(("device, literals", answers));
     }
     sides
 }
 
-fn with(traverse: &'static Module, bvh: &Bvh, rays: &[Ray], any: bool) -> Vec<Answer> {
+fn with(
+    traverse: &[&'static Module],
+    generated: Option<Arc<str>>,
+    bvh: &Bvh,
+    rays: &[Ray],
+    any: bool,
+) -> Vec<Answer> {
     let gpu = super::gpu();
-    let program = Program { label: "test rays", modules: vec![&TYPES, &RAY, traverse, &TRACE] };
+    let modules = [&[&TYPES, &RAY][..], traverse, &[&TRACE]].concat();
+    let program = Program { label: "test rays", modules, generated };
     let kernel = gpu.compile(&program).unwrap();
     let of = |ray: &Ray| {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());

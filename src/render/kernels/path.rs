@@ -1,40 +1,38 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, emit, traverse};
+use super::{Prepared, Purpose, Traversal, emit};
 use crate::gpu::module::{
     AREA_LIGHT, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA,
     PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM,
-    PATH_SEGMENT, PATH_STATE, PATH_SUM, PIXELS, POINT_LIGHT, RAY, ROULETTE, SAMPLING, TYPES,
+    PATH_SEGMENT, PATH_STATE, PATH_SUM, PIXELS, POINT_LIGHT, ROULETTE, SAMPLING, TYPES,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, Settings};
 
 /// Camera rays.
-pub fn camera(subgroups: bool) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(subgroups)];
-    modules.extend([&CAMERA, &HIT_POINT, &PATH_STATE, &PATH_CAMERA]);
-    Program { label: "paths, camera", modules }
+pub fn camera(nearest: &Traversal) -> Program {
+    let modules = [&TYPES, &SAMPLING, &PIXELS, &CAMERA, &HIT_POINT, &PATH_STATE, &PATH_CAMERA];
+    nearest.link("paths, camera", &modules)
 }
 
-fn vertex(subgroups: bool, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &RAY, traverse(subgroups), &PATH, &PATH_STATE, &PATH_RANDOM];
-    [&first[..], last].concat()
+fn vertex(last: &[&'static Module]) -> Vec<&'static Module> {
+    [&[&TYPES, &SAMPLING, &PATH, &PATH_STATE, &PATH_RANDOM][..], last].concat()
 }
 
 /// Shadow rays to point lights.
-pub fn point(subgroups: bool) -> Program {
+pub fn point(shadow: &Traversal) -> Program {
     let last = [&POINT_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_POINT];
-    Program { label: "paths, point lights", modules: vertex(subgroups, &last) }
+    shadow.link("paths, point lights", &vertex(&last))
 }
 
 /// Shadow rays to area lights.
-pub fn area(subgroups: bool) -> Program {
+pub fn area(shadow: &Traversal) -> Program {
     let last = [&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA];
-    Program { label: "paths, area lights", modules: vertex(subgroups, &last) }
+    shadow.link("paths, area lights", &vertex(&last))
 }
 
 /// The next segment of paths, in a scene with or without area lights.
-pub fn segment(subgroups: bool, bounces: Bounces, areas: bool) -> Program {
+pub fn segment(nearest: &Traversal, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = vec![&HIT_POINT, survival];
     match areas {
@@ -42,22 +40,22 @@ pub fn segment(subgroups: bool, bounces: Bounces, areas: bool) -> Program {
         false => last.push(&PATH_NO_EMISSION),
     }
     last.push(&PATH_SEGMENT);
-    Program { label: "paths, segment", modules: vertex(subgroups, &last) }
+    nearest.link("paths, segment", &vertex(&last))
 }
 
 /// How many paths go on.
 pub fn count() -> Program {
-    Program { label: "paths, count", modules: vec![&TYPES, &PATH, &PATH_COUNT] }
+    Program::new("paths, count", vec![&TYPES, &PATH, &PATH_COUNT])
 }
 
 /// The queue of those that do.
 pub fn compact() -> Program {
-    Program { label: "paths, queue", modules: vec![&TYPES, &PATH, &PATH_COMPACT] }
+    Program::new("paths, queue", vec![&TYPES, &PATH, &PATH_COMPACT])
 }
 
 /// Mean and spread of the samples of pixels.
 pub fn sum() -> Program {
-    Program { label: "paths, sum", modules: vec![&PATH, &PATH_SUM] }
+    Program::new("paths, sum", vec![&PATH, &PATH_SUM])
 }
 
 /// Whether paths have a vertex where they seek light straight from its source.
@@ -72,26 +70,27 @@ pub fn has_segments(settings: &Settings, areas: bool) -> bool {
 
 /// What a scene and settings need.
 pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
-    let subgroups = prepared.gpu.has_subgroups();
+    let [nearest, shadow] =
+        [Purpose::Nearest, Purpose::Shadow].map(|purpose| Traversal::of(prepared, purpose));
     let (areas, points) = (prepared.area_lights.is_some(), prepared.point_lights.is_some());
     let lit = seeks_light(settings);
-    let mut programs = vec![camera(subgroups), count(), compact(), sum()];
+    let mut programs = vec![camera(&nearest), count(), compact(), sum()];
     programs.extend(areas.then(emit));
-    programs.extend((lit && areas).then(|| area(subgroups)));
-    programs.extend((lit && points).then(|| point(subgroups)));
+    programs.extend((lit && areas).then(|| area(&shadow)));
+    programs.extend((lit && points).then(|| point(&shadow)));
     let segments = has_segments(settings, areas);
-    programs.extend(segments.then(|| segment(subgroups, settings.bounces, areas)));
+    programs.extend(segments.then(|| segment(&nearest, settings.bounces, areas)));
     programs
 }
 
 /// Every program of paths.
-pub(super) fn all() -> Vec<Program> {
+pub(super) fn all(traversals: &[Traversal]) -> Vec<Program> {
     let mut programs = vec![count(), compact(), sum()];
-    for subgroups in [false, true] {
-        programs.extend([camera(subgroups), point(subgroups), area(subgroups)]);
+    for traversal in traversals {
+        programs.extend([camera(traversal), point(traversal), area(traversal)]);
         for areas in [false, true] {
             let kinds = [Bounces::Finite(1), Bounces::Unlimited];
-            programs.extend(kinds.map(|bounces| segment(subgroups, bounces, areas)));
+            programs.extend(kinds.map(|bounces| segment(traversal, bounces, areas)));
         }
     }
     programs

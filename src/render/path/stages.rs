@@ -1,7 +1,7 @@
 //! The passes of paths, with the buffers of a wave bound to them.
 
 use crate::gpu::{CameraParams, GpuError, PathParams, PathRecord, PathSum, PointRecord, Program};
-use crate::render::kernels::{self, path as programs};
+use crate::render::kernels::{self, Purpose, Traversal, path as programs};
 use crate::render::stages::{Named, Stage};
 use crate::render::{Prepared, Settings};
 
@@ -79,13 +79,14 @@ impl Stages {
             ("sums", &buffers.sums),
         ];
         let bind = |program: Program| Stage::new(prepared, &program, named);
-        let subgroups = gpu.has_subgroups();
+        let [nearest, shadow] =
+            [Purpose::Nearest, Purpose::Shadow].map(|purpose| Traversal::of(prepared, purpose));
         let mut lights = Vec::new();
         if programs::seeks_light(settings) {
             let table = &prepared.lights;
             let kinds = [
-                (&prepared.area_lights, programs::area(subgroups), table.area.len()),
-                (&prepared.point_lights, programs::point(subgroups), table.point.len()),
+                (&prepared.area_lights, programs::area(&shadow), table.area.len()),
+                (&prepared.point_lights, programs::point(&shadow), table.point.len()),
             ];
             for (buffer, program, count) in kinds {
                 if let Some(buffer) = buffer {
@@ -97,9 +98,9 @@ impl Stages {
         let areas = prepared.area_lights.is_some();
         let emit = prepared.area_lights.as_ref().map(|_| bind(kernels::emit())).transpose()?;
         let segment = programs::has_segments(settings, areas)
-            .then(|| bind(programs::segment(subgroups, settings.bounces, areas)));
+            .then(|| bind(programs::segment(&nearest, settings.bounces, areas)));
         Ok(Self {
-            camera: bind(programs::camera(subgroups))?,
+            camera: bind(programs::camera(&nearest))?,
             emit,
             lights,
             segment: segment.transpose()?,
