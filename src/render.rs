@@ -8,6 +8,7 @@ mod interleave;
 pub mod kernels;
 mod light;
 mod light_set;
+pub mod literals;
 mod merge;
 mod path;
 mod picture;
@@ -26,7 +27,7 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 
 use crate::bvh::Bvh;
-use crate::gpu::{Gpu, GpuError, PassTime};
+use crate::gpu::{Gpu, GpuError, PassTime, Program};
 use crate::image::Image;
 use crate::scene::{Camera, Scene};
 
@@ -38,6 +39,7 @@ pub use vpl::{LightPaths, Vpl};
 
 use gathers::{Clustered, Gathers};
 use light_set::LightSet;
+use literals::Literals;
 pub use merge::{Gloss, VirtualLight, VplClusters};
 use path::PathTracer;
 use tile::TileRenderer;
@@ -60,6 +62,7 @@ pub struct Prepared {
     pub bvh_time: Duration,
     /// Time spent on linking and compiling shaders, and on uploading the scene.
     pub pipelines_time: Duration,
+    literals: Option<Literals>,
     kernels: Kernels,
     tables: Vec<tables::Table>,
     light_tables: Vec<(LightKind, wgpu::Buffer)>,
@@ -86,6 +89,7 @@ impl Prepared {
                 .kinds()
                 .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
                 .collect::<Result<_, GpuError>>()?,
+            literals: Literals::of(&scene, &bvh),
             features,
             kernels: Kernels::default(),
             bvh_time,
@@ -102,7 +106,21 @@ impl Prepared {
 
     /// What programs are linked for.
     pub fn target(&self) -> Target {
-        Target { subgroups: self.gpu.has_subgroups(), features: self.features }
+        let tracing = self.literals.as_ref().map(|literals| literals.suit_packets);
+        Target {
+            subgroups: self.gpu.has_subgroups(),
+            features: self.features,
+            literals: tracing.is_some(),
+            literal_packets: tracing == Some(true),
+        }
+    }
+
+    /// A program with what is written for the scene.
+    fn complete(&self, program: Program) -> Program {
+        match &self.literals {
+            Some(literals) => literals.complete(program),
+            None => program,
+        }
     }
 
     /// What programs are linked for in a frame: one without light shows the first surfaces, and

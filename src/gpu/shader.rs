@@ -1,5 +1,7 @@
 //! Shaders as ordered lists of WGSL files. What a scene does not need is not in the list.
 
+use std::sync::Arc;
+
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 use super::GpuError;
@@ -79,8 +81,10 @@ pub mod module {
         VPL_DIFFUSE = "vpl_diffuse";
         VPL_GLOSSY = "vpl_glossy" for "phong";
         RAY = "ray";
-        TRAVERSE = "traverse";
-        TRAVERSE_PACKET = "traverse_packet";
+        TRAVERSE = "traverse" for "bounding volume hierarchy";
+        TRAVERSE_PACKET = "traverse_packet" for "bounding volume hierarchy";
+        LITERAL_RAY = "literal_ray" for "triangles as literals";
+        CORNERS = "corners";
         CAMERA = "camera";
         HIT_POINT = "hit_point";
         ONE_SURFACE = "one_surface";
@@ -96,11 +100,12 @@ pub mod module {
         DIRECT_AREA = "direct_area" for "area lights";
         VISIBILITY = "visibility" for "indirect light";
         BITS = "bits" for "indirect light";
-        PACKET_SHAFT = "packet_shaft";
-        PACKET_RAYS = "packet_rays";
+        PACKET_SHAFT = "packet_shaft" for "bounding volume hierarchy";
+        PACKET_RAYS = "packet_rays" for "bounding volume hierarchy";
         BLOCKER_TRIANGLE = "blocker_triangle";
         BLOCKER_ANY = "blocker_any";
         VISIBILITY_PACKET = "visibility_packet" for "indirect light";
+        VISIBILITY_LITERALS = "visibility_literals" for "triangles as literals";
         EXPAND = "expand" for "visibility shared by VPL clusters";
         INTERLEAVED = "interleaved" for "interleaved sampling";
         SEPARATE = "separate" for "interleaved sampling";
@@ -156,6 +161,8 @@ pub struct Program {
     pub label: &'static str,
     /// Its files; the last has the entry point `main`.
     pub modules: Vec<&'static Module>,
+    /// What is written for one scene, and follows the files.
+    pub generated: Option<Arc<str>>,
 }
 
 /// A program that has been parsed and validated.
@@ -178,7 +185,7 @@ impl Program {
                 once.push(module);
             }
         }
-        Self { label, modules: once }
+        Self { label, modules: once, generated: None }
     }
 
     /// Joins the files, parses and validates them, and finds what they bind.
@@ -187,7 +194,8 @@ impl Program {
     /// A file does not parse, or the whole is not valid: a fault of this program, named with
     /// file and line.
     pub fn link(&self) -> Result<Linked, GpuError> {
-        let source = self.modules.iter().map(|m| m.source).collect::<Vec<_>>().join("\n");
+        let files = self.modules.iter().map(|module| module.source);
+        let source = files.chain(self.generated.as_deref()).collect::<Vec<_>>().join("\n");
         let module = naga::front::wgsl::parse_str(&source).map_err(|error| {
             let line = error.location(&source).map_or(0, |l| l.line_number as usize);
             GpuError::Invalid(format!("{}: {}", self.place(line), error.message()))
@@ -216,6 +224,6 @@ impl Program {
             }
             line -= lines;
         }
-        self.label.to_owned()
+        format!("{}, generated:{line}", self.label)
     }
 }

@@ -64,12 +64,21 @@ pub struct Target {
     pub subgroups: bool,
     /// What the scene has.
     pub features: Features,
+    /// Whether its triangles are written into the shaders.
+    pub literals: bool,
+    /// Whether they are for packets of shadow rays, too.
+    pub literal_packets: bool,
 }
 
 impl Target {
+    /// A scene with these features, and a hierarchy.
+    pub fn of(subgroups: bool, features: Features) -> Self {
+        Self { subgroups, features, literals: false, literal_packets: false }
+    }
+
     /// A scene of plain diffuse triangles.
     pub fn plain(subgroups: bool) -> Self {
-        Self { subgroups, features: Features::default() }
+        Self::of(subgroups, Features::default())
     }
 
     /// How many values of four channels a point gathers: irradiance, and another for a lobe.
@@ -90,7 +99,12 @@ impl Target {
             Features { glass: true, ..none },
             Features::everything(),
         ];
+        let small = |features: Features| {
+            let literals = !features.spheres && !features.cutouts;
+            literals.then(|| Self { literals, literal_packets: true, ..Self::of(true, features) })
+        };
         let both = [false, true].into_iter();
-        both.flat_map(|subgroups| features.map(|features| Self { subgroups, features })).collect()
+        let large = both.flat_map(|subgroups| features.map(|all| Self::of(subgroups, all)));
+        large.chain(features.into_iter().filter_map(small)).collect()
     }
 }

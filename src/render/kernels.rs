@@ -2,29 +2,36 @@
 
 pub mod path;
 mod surfaces;
+mod tracing;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::literals::Literals;
 use super::{Clamp, Direct, Features, LightKind, Method, Prepared, Settings, Target};
 use crate::gpu::module::{
-    ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT, DIRECT_AREA,
-    DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, FINISH,
-    FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS, HIT_POINT,
-    INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LOBES_DIFFUSE, LOBES_PHONG, MIRROR,
-    ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
-    PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER, ROW_POINT,
-    SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SHOW_ALBEDO,
-    SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, THROUGHPUT_KEPT, THROUGHPUT_NONE,
-    TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES, VIEW_KEPT,
-    VIEW_NONE, VISIBILITY, VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
+    ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, CORNERS, DIRECT,
+    DIRECT_AREA, DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE,
+    EXPAND, FINISH, FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS,
+    HIT_POINT, INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LITERAL_RAY, LOBES_DIFFUSE,
+    LOBES_PHONG, MIRROR, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED,
+    PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER, ROW_POINT, SAMPLING,
+    SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SHAPE_TRIANGLE,
+    SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, THROUGHPUT_KEPT,
+    THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES,
+    VIEW_KEPT, VIEW_NONE, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
 };
-use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
+use crate::gpu::{CATALOGUE, GpuError, Kernel, Module, Program, TriangleRecord};
+pub use tracing::Tracing;
 
 pub use surfaces::{keep_albedo, shapes};
 
 /// How rays are traced that neighbours trace alike.
 fn traverse(target: Target) -> &'static Module {
-    if target.subgroups { &TRAVERSE_PACKET } else { &TRAVERSE }
+    match target.subgroups {
+        _ if target.literals => &LITERAL_RAY,
+        true => &TRAVERSE_PACKET,
+        false => &TRAVERSE,
+    }
 }
 
 /// Camera rays.
@@ -54,13 +61,15 @@ fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module>
 
 /// How rays go on at mirrors and glass, and what they see.
 fn follow(target: Target) -> Vec<&'static Module> {
+    // The other ways to trace rays load all triangles.
+    let corners: &[&Module] = if target.literals { &[&CORNERS, &SHAPE_TRIANGLE] } else { &[] };
     let turns: &[&Module] = match (target.features.mirror, target.features.glass) {
-        (false, false) => return vec![&HIT_POINT, &FOLLOW_NONE],
+        (false, false) => return [corners, &[&HIT_POINT, &FOLLOW_NONE]].concat(),
         (true, false) => &[&MIRROR, &TURN_MIRROR],
         (false, true) => &[&GLASS, &TURN_GLASS],
         (true, true) => &[&MIRROR, &GLASS, &TURN_EITHER],
     };
-    [&[&HIT_POINT, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
+    [corners, &[&HIT_POINT, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
 }
 
 /// Whether a visible point keeps where it is seen from.
@@ -118,30 +127,6 @@ pub fn direct_for(prepared: &Prepared, kind: LightKind) -> Program {
     direct(prepared.target(), kind, prepared.lights.count(kind) > FEW_LIGHTS)
 }
 
-/// How the shadow rays between points and VPLs are traced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tracing {
-    /// Each ray by itself, for adapters without subgroups.
-    Single,
-    /// Packets against boxes as a whole.
-    Shaft,
-    /// Packets against boxes ray by ray.
-    Rays,
-}
-
-impl Tracing {
-    /// Hierarchies of more nodes have boxes so small that a packet is best tested ray by ray.
-    const SHAFT_NODES: usize = 1000;
-
-    fn of(prepared: &Prepared) -> Self {
-        match prepared.gpu.has_subgroups() {
-            false => Self::Single,
-            true if prepared.bvh.nodes.len() <= Self::SHAFT_NODES => Self::Shaft,
-            true => Self::Rays,
-        }
-    }
-}
-
 /// How many rays one invocation may trace in a dispatch, a power of two up to the 32 of a
 /// word. Mesa's llvmpipe silently leaves all loops of an invocation after 65,535 rounds
 /// together; so many are enough for that many rays even if each meets all boxes of a small
@@ -186,13 +171,10 @@ pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program
     modules.extend(match tracing {
         Tracing::Single => shapes(target.features),
         Tracing::Shaft | Tracing::Rays => surfaces::blockers(target.features),
+        Tracing::Literals => vec![&RAY],
     });
     modules.extend([emitter.module(), &BITS]);
-    modules.extend(match tracing {
-        Tracing::Single => [&TRAVERSE, &VISIBILITY],
-        Tracing::Shaft => [&PACKET_SHAFT, &VISIBILITY_PACKET],
-        Tracing::Rays => [&PACKET_RAYS, &VISIBILITY_PACKET],
-    });
+    modules.extend(tracing.modules());
     Program::new("visibility", modules)
 }
 
@@ -352,19 +334,24 @@ impl Kernels {
     /// Compiles what a scene and settings need.
     pub(super) fn prepare(&self, prepared: &Prepared, settings: &Settings) -> Result<(), GpuError> {
         for program in needed(prepared, settings) {
-            self.get(&prepared.gpu, &program)?;
+            self.get(prepared, program)?;
         }
         Ok(())
     }
 
     /// The kernel of a program, compiled at most once.
-    pub(super) fn get(&self, gpu: &Gpu, program: &Program) -> Result<Arc<Kernel>, GpuError> {
+    pub(super) fn get(
+        &self,
+        prepared: &Prepared,
+        program: Program,
+    ) -> Result<Arc<Kernel>, GpuError> {
+        let program = prepared.complete(program);
         let mut kernels = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, kernel)) = kernels.iter().find(|(known, _)| known == program) {
+        if let Some((_, kernel)) = kernels.iter().find(|(known, _)| *known == program) {
             return Ok(kernel.clone());
         }
-        let kernel = Arc::new(gpu.compile(program)?);
-        kernels.push((program.clone(), kernel.clone()));
+        let kernel = Arc::new(prepared.gpu.compile(&program)?);
+        kernels.push((program, kernel.clone()));
         Ok(kernel)
     }
 
@@ -390,7 +377,9 @@ pub fn all_programs() -> Vec<Program> {
     let mut programs = vec![emit(), expand(), separate()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
-            let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays];
+            // Literals are of triangles alone.
+            let linked = |tracing: &Tracing| *tracing != Tracing::Literals || target.literals;
+            let tracing = Tracing::ALL.into_iter().filter(linked);
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
         programs.extend([visible_points(target), antialias(target), resolve(target)]);
@@ -411,8 +400,12 @@ pub fn all_programs() -> Vec<Program> {
         programs.extend(path::all(target));
     }
     programs.extend(path::common());
+    let example =
+        TriangleRecord { b: [1.0, 0.0, 0.0], c: [0.0, 1.0, 0.0], ..bytemuck::Zeroable::zeroed() };
+    let literals = Literals::of_triangles(&[example], &[], true);
+    let complete = |program| literals.iter().fold(program, |of, literals| literals.complete(of));
     let mut distinct: Vec<Program> = Vec::new();
-    for program in programs {
+    for program in programs.into_iter().map(complete) {
         if !distinct.contains(&program) {
             distinct.push(program);
         }

@@ -169,7 +169,7 @@ impl Stage {
         program: &Program,
         buffers: &[Named<'_>],
     ) -> Result<Self, GpuError> {
-        let kernel = prepared.kernels.get(&prepared.gpu, program)?;
+        let kernel = prepared.kernels.get(prepared, program.clone())?;
         // The largest of the parameter records; a kernel reads its own.
         let params = prepared.gpu.parameters::<CameraParams>("parameters")?;
         let buffers = [buffers, &[("params", &params)]].concat();

@@ -135,8 +135,10 @@ impl<'a> VisibilityPass<'a> {
         points: &[PointRecord],
         vpls: &[VplRecord],
     ) -> Self {
-        let target = Target { subgroups: tracing != Tracing::Single, features: world.features };
-        let kernel = gpu.compile(&visibility(target, tracing, Emitter::Surface)).unwrap();
+        let target = Target::of(tracing != Tracing::Single, world.features);
+        let program = visibility(target, tracing, Emitter::Surface);
+        let program = world.literals.iter().fold(program, |of, literals| literals.complete(of));
+        let kernel = gpu.compile(&program).unwrap();
         let params = gpu.parameters::<VisibilityParams>("params").unwrap();
         // What a pass leaves alone stays as it is here.
         let words = vpls.len().div_ceil(32);
@@ -180,7 +182,7 @@ impl<'a> VisibilityPass<'a> {
                     pad: [0; 3],
                 };
                 gpu.write(&self.params, &[record]).unwrap();
-                let groups = workgroups(*points, self.tracing != Tracing::Single);
+                let groups = workgroups(*points, self.tracing.points() == 4);
                 gpu.run(&[Pass { kernel, bindings, workgroups: [groups, slice] }]).unwrap();
             }
             first_word += slice;

@@ -1,12 +1,17 @@
 //! Rays traced on the host and on the device, and shapes to trace them against.
 
+use std::sync::Arc;
+
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
-use gpu_vpl::gpu::module::{TRAVERSE, TRAVERSE_PACKET, TYPES};
+use gpu_vpl::gpu::module::{
+    CORNERS, LITERAL_RAY, RAY, SHAPE_TRIANGLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
+};
 use gpu_vpl::gpu::{Module, Pass, PointRecord, Program};
 use gpu_vpl::render::Features;
 use gpu_vpl::render::kernels::shapes;
+use gpu_vpl::render::literals::{Literals, meet};
 use gpu_vpl::render::tables::{self, Table};
 use gpu_vpl::scene::{Scene, Triangle};
 
@@ -55,6 +60,8 @@ pub struct World {
     pub bvh: Bvh,
     pub features: Features,
     pub tables: Vec<Table>,
+    /// All triangles, if they are few.
+    pub literals: Option<Literals>,
 }
 
 impl World {
@@ -64,13 +71,14 @@ impl World {
             ("nodes", gpu.storage_of("nodes", &bvh.nodes).unwrap()),
             ("triangles", gpu.storage_of("triangles", &bvh.triangles).unwrap()),
         ];
-        Self { bvh: bvh.clone(), features: Features::default(), tables }
+        let literals = Literals::of_triangles(&bvh.triangles, &[], true);
+        Self { bvh: bvh.clone(), features: Features::default(), tables, literals }
     }
 
     pub fn of(scene: &Scene) -> Self {
         let (bvh, features) = (Bvh::of(scene), Features::of(scene));
         let tables = tables::upload(super::gpu(), scene, &bvh, features).unwrap();
-        Self { bvh, features, tables }
+        Self { bvh, features, tables, literals: None }
     }
 
     pub fn named(&self) -> impl Iterator<Item = (&str, &wgpu::Buffer)> {
@@ -78,20 +86,38 @@ impl World {
     }
 }
 
-/// The ways to trace on this device: ray by ray, and in packets where it has subgroups.
+/// More triangles take long to compile as literals; the renderer stops long before.
+const MOST_LITERALS: usize = 220;
+
+/// The ways to trace on this device: ray by ray, in packets where it has subgroups, and against
+/// literals if they are few triangles alone.
 pub fn on_device(world: &World, rays: &[Ray], any: bool) -> Vec<(&'static str, Vec<Answer>)> {
-    let mut sides = vec![("device", with(&TRAVERSE, world, rays, any))];
+    let with = |modules: &[&'static Module], text| with(modules, text, world, rays, any);
+    let shapes = shapes(world.features);
+    let of_nodes = |traverse| [&shapes[..], &[traverse]].concat();
+    let mut sides = vec![("device", with(&of_nodes(&TRAVERSE), None))];
     if super::gpu().has_subgroups() {
-        sides.push(("device, packets", with(&TRAVERSE_PACKET, world, rays, any)));
+        sides.push(("device, packets", with(&of_nodes(&TRAVERSE_PACKET), None)));
+    }
+    let plain = world.features == Features::default();
+    if plain && world.bvh.triangles.len() <= MOST_LITERALS {
+        let text = Some(meet(&world.bvh.triangles).into());
+        let modules = [&RAY, &SHAPE_TRIANGLE, &LITERAL_RAY, &CORNERS];
+        sides.push(("device, literals", with(&modules, text)));
     }
     sides
 }
 
-fn with(traverse: &'static Module, world: &World, rays: &[Ray], any: bool) -> Vec<Answer> {
+fn with(
+    traverse: &[&'static Module],
+    generated: Option<Arc<str>>,
+    world: &World,
+    rays: &[Ray],
+    any: bool,
+) -> Vec<Answer> {
     let (gpu, bvh) = (super::gpu(), &world.bvh);
-    let shapes = shapes(world.features);
-    let modules = [&[&TYPES], &shapes[..], &[traverse, &TRACE]].concat();
-    let program = Program { label: "test rays", modules };
+    let modules = [&[&TYPES][..], traverse, &[&TRACE]].concat();
+    let program = Program { label: "test rays", modules, generated };
     let kernel = gpu.compile(&program).unwrap();
     let of = |ray: &Ray| {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());

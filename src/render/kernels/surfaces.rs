@@ -20,6 +20,9 @@ pub fn shapes(features: Features) -> Vec<&'static Module> {
 
 /// Rays, the shapes that they meet, and how those are traced that neighbours trace alike.
 pub fn rays(target: Target) -> Vec<&'static Module> {
+    if target.literals {
+        return vec![&RAY, super::traverse(target)];
+    }
     let mut modules = shapes(target.features);
     modules.push(super::traverse(target));
     modules
