@@ -115,7 +115,7 @@ fn maps_that_are_not_shown_are_named_once() {
         ("disp a.png", "disp"),
     ] {
         let scene = with(&format!("\nnewmtl m\nKd 0.5 0.5 0.5\n{text}\n")).unwrap();
-        warned(&scene, &format!("m.mtl:2: material `m` has {what}, which are not shown"), true);
+        warned(&scene, &format!("m.mtl:2: material `m` has {what}, not shown"), true);
         let of_mtl = scene.warnings.iter().filter(|warning| warning.message.contains("m.mtl"));
         assert_eq!(of_mtl.count(), 1, "{text}");
     }
@@ -154,6 +154,7 @@ fn mapped(mtl: &str) -> Scene {
         ("a.png", &color),
         ("the wood #2.png", &color),
         ("grey.png", &grey),
+        ("plain.png", &pictures::rgb(Png, 2, &QUARTERS.map(|[r, g, b, _]| [r, g, b]))),
     ])
     .unwrap()
 }
@@ -191,7 +192,15 @@ fn options_move_scale_and_clamp_a_texture() {
     assert_eq!(shown("map_Kd -clamp on a.png", 1.25, 1.75), GREEN);
     assert_eq!(shown("map_Kd -clamp on a.png", -7.0, -7.0), BLUE);
     // Nothing that is shown.
-    for option in ["-blendu on", "-blendv off", "-texres 512", "-bm 2", "-cc off", "-mm 0 1"] {
+    for option in [
+        "-blendu on",
+        "-blendv off",
+        "-texres 512",
+        "-bm 2",
+        "-cc off",
+        "-mm 0 1",
+        "-colorspace sRGB",
+    ] {
         assert_eq!(shown(&format!("map_Kd {option} a.png"), 0.25, 0.75), RED, "{option}");
     }
     assert_eq!(shown("map_Kd -BLENDU on -s 1 1 1 -t 0 0 0 -boost 0 a.png", 0.25, 0.75), RED);
@@ -199,9 +208,16 @@ fn options_move_scale_and_clamp_a_texture() {
 
 #[test]
 fn options_that_are_not_supported_are_warned_of_with_their_line() {
-    for option in
-        ["-mm 0.5 1", "-mm 0 2", "-cc on", "-boost 2", "-t 0.5", "-imfchan r", "-type sphere"]
-    {
+    for option in [
+        "-mm 0.5 1",
+        "-mm 0 2",
+        "-cc on",
+        "-boost 2",
+        "-t 0.5",
+        "-imfchan r",
+        "-type sphere",
+        "-colorspace linear",
+    ] {
         let scene = mapped(&format!("\nmap_Kd {option} a.png"));
         let name = option.split(' ').next().unwrap();
         warned(&scene, &format!("m.mtl:3: map_Kd has {name}, not supported"), true);
@@ -253,7 +269,7 @@ fn a_map_multiplies_its_colour_and_replaces_black() {
     // A mirror has one colour.
     let scene = mapped("Ks 1\nillum 3\nNs 2000\nmap_Kd a.png");
     assert_eq!(scene.materials[0].texture, None);
-    warned(&scene, "has a map_Kd, which nothing mirrors by", true);
+    warned(&scene, "has a map_Kd, not shown by mirrors and glass", true);
     let kind = of("Kd 0\nKs 0.25\nillum 3\nNs 20\nmap_Kd a.png").finish;
     assert!(matches!(kind, Finish::Phong { .. }), "{kind:?}");
 }
@@ -273,7 +289,13 @@ fn map_d_cuts_out_by_alpha_or_luminance() {
     let (grey, scene) = alpha("Kd 1\nmap_d grey.png\nmap_Kd grey.png");
     assert_eq!((grey, scene.images.len()), (vec![0, 255], 2));
     assert_eq!(scene.images[scene.textures[0].image as usize].rgba[0][3], 255);
+    // The luminance of red, green and blue (Rec. 709).
+    assert_eq!(alpha("Kd 1\nmap_d plain.png").0, [54, 182, 18, 188]);
     let (opaque, scene) = alpha("Kd 1\nmap_d gone.png");
     assert_eq!(opaque, [255]);
-    warned(&scene, "m.mtl:3: image gone.png is not there; put it there; nothing is cut out", true);
+    warned(
+        &scene,
+        "m.mtl:3: image gone.png is not there, or no file; put it there; nothing is cut out",
+        true,
+    );
 }

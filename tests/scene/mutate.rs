@@ -120,9 +120,8 @@ pub fn fuzz<S: Strategy>(name: &str, strategy: &S, test: impl Fn(S::Value)) {
             Ok(())
         });
         cases += 150;
-        if let Err(error) = result {
-            panic!("{name}, after some {cases} cases: {error}");
-        }
+        let failure = result.err().map(|error| error.to_string());
+        assert_eq!(failure, None, "{name}, after some {cases} cases");
         if seconds.is_none_or(|seconds| start.elapsed() >= Duration::from_secs(seconds)) {
             break;
         }

@@ -33,7 +33,7 @@ enum Values {
     Word,
 }
 
-const OPTIONS: [(&str, Values); 13] = [
+const OPTIONS: [(&str, Values); 14] = [
     ("-o", Values::Numbers(1, 3)),
     ("-s", Values::Numbers(1, 3)),
     ("-t", Values::Numbers(1, 3)),
@@ -47,6 +47,7 @@ const OPTIONS: [(&str, Values); 13] = [
     ("-clamp", Values::Word),
     ("-imfchan", Values::Word),
     ("-type", Values::Word),
+    ("-colorspace", Values::Word),
 ];
 
 impl Map {
@@ -125,6 +126,7 @@ impl Map {
                 !(self.keyword.eq_ignore_ascii_case("map_d") && word.eq_ignore_ascii_case("m"))
             }
             "-boost" => number(0, 0.0) != 0.0,
+            "-colorspace" => !word.eq_ignore_ascii_case("srgb"),
             "-type" => true,
             _ => false,
         };
