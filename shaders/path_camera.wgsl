@@ -24,6 +24,7 @@ fn main(
         let point = hit_point(hit, direction);
         points[slot] = point;
         keep_albedo(slot, hit, point);
+        keep_glow(slot, hit, point);
         radiance[slot] = vec4f(0.0);
         paths[slot] = Path(vec3f(1.0), stream);
         survivors[slot] = select(slot, NOTHING, hit.triangle == NOTHING);

@@ -29,6 +29,7 @@ fn main(
         let carried = throughput / probability;
         points[slot] = next;
         keep_albedo(slot, hit, next);
+        keep_glow(slot, hit, next);
         paths[slot] = Path(carried, path.stream);
         let density = scattered.density * dot(point.normal, direction);
         find_emission(slot, carried, next, direction, density);

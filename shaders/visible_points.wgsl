@@ -22,5 +22,6 @@ fn main(
         let point = hit_point(hit, direction);
         points[id.x] = point;
         keep_albedo(id.x, hit, point);
+        keep_glow(id.x, hit, point);
     }
 }

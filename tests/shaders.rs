@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use gpu_vpl::gpu::{CATALOGUE, Linked, Module, Program};
-use gpu_vpl::render::all_programs;
+use gpu_vpl::render::{Features, Target, all_programs, kernels};
 use naga::compact::{KeepUnused, compact};
 
 /// Programs with what linking made of them. There are some, or the test fails.
@@ -132,4 +132,18 @@ fn what_an_entry_point_does_not_use_is_not_bound() {
     let linked = Program { label: "spare", modules: vec![&SPARE] }.link().expect("it is valid");
     assert_eq!(linked.bindings, [("out".to_owned(), 2)]);
     assert_eq!(used(&linked).keys().collect::<Vec<_>>(), ["out"]);
+}
+
+/// What a scene of plain triangles has no use for is not in the source of its programs.
+#[test]
+fn plain_programs_hold_neither_spheres_nor_textures() {
+    let words = |program: &Program| {
+        let source = program.link().expect("it is valid").source.to_lowercase();
+        ["sphere", "texture", "texel", "cutout", "alpha"].map(|word| source.contains(word))
+    };
+    let [none, all] = [Features::default(), Features::everything()].map(|features| {
+        let target = Target { subgroups: true, features };
+        words(&kernels::visible_points(target))
+    });
+    assert_eq!((none, all), ([false; 5], [true; 5]));
 }

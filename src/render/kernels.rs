@@ -17,7 +17,7 @@ use crate::gpu::module::{
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
-pub use surfaces::{keep_albedo, shapes};
+pub use surfaces::shapes;
 
 /// How rays are traced that neighbours trace alike.
 fn traverse(target: Target) -> &'static Module {
@@ -26,15 +26,14 @@ fn traverse(target: Target) -> &'static Module {
 
 /// Camera rays.
 pub fn visible_points(target: Target) -> Program {
-    let mut modules = camera_rays(target, &kept_albedo(target.features));
+    let mut modules = camera_rays(target, &kept(target.features));
     modules.push(&VISIBLE);
     Program { label: "visible points", modules }
 }
 
-/// The albedo of points, kept by the pass that finds them.
-fn kept_albedo(features: Features) -> Vec<&'static Module> {
-    let read = features.textures.then_some(surfaces::albedo(features));
-    read.into_iter().chain(keep_albedo(features)).collect()
+/// What is kept of points by the pass that finds them.
+fn kept(features: Features) -> Vec<&'static Module> {
+    [surfaces::kept(features), surfaces::keep(features)].concat()
 }
 
 /// More camera rays where pixels see edges.
@@ -61,6 +60,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
         }
         LightKind::Area => {
             let draw = if many { &DRAW_RESAMPLED } else { &DRAW_ONE };
+            modules.extend(surfaces::light_glow(target.features));
             modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, draw, &DIRECT_AREA]);
             "direct light, areas"
         }
@@ -208,8 +208,9 @@ pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) 
 }
 
 /// Emission towards the camera.
-pub fn emit() -> Program {
-    Program { label: "emission", modules: vec![&TYPES, &EMIT] }
+pub fn emit(target: Target) -> Program {
+    let glow = surfaces::glow(target.features);
+    Program { label: "emission", modules: vec![&TYPES, glow, &EMIT] }
 }
 
 /// Irradiance to reflected radiance.
@@ -251,7 +252,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     }
     programs.extend(settings.antialiases().then(|| antialias(target)));
     if prepared.lights.count(LightKind::Area) > 0 {
-        programs.push(emit());
+        programs.push(emit(target));
     }
     let kinds = || prepared.lights.kinds();
     match settings.direct {
@@ -327,7 +328,7 @@ impl Kernels {
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![emit(), expand()];
+    let mut programs = vec![expand()];
     programs.extend([separate(), collect(false), collect(true), combine()]);
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
@@ -335,7 +336,7 @@ pub fn all_programs() -> Vec<Program> {
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
         programs.extend([visible_points(target), antialias(target)]);
-        programs.extend([reflect(target), removed(target)]);
+        programs.extend([emit(target), reflect(target), removed(target)]);
         let shown = [Method::Normal, Method::Depth, Method::Albedo];
         programs.extend(shown.into_iter().filter_map(|method| show(target, method)));
         for kind in LightKind::ALL {

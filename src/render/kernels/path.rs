@@ -1,6 +1,6 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, camera_rays, emit, kept_albedo, surfaces};
+use super::{Prepared, camera_rays, emit, kept, surfaces};
 use crate::gpu::module::{
     AREA_LIGHT, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA,
     PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM,
@@ -11,7 +11,7 @@ use crate::render::{Bounces, Direct, LightKind, Settings, Target};
 
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
-    let mut modules = camera_rays(target, &kept_albedo(target.features));
+    let mut modules = camera_rays(target, &kept(target.features));
     modules.extend([&PATH_STATE, &PATH_CAMERA]);
     Program { label: "paths, camera", modules }
 }
@@ -25,22 +25,25 @@ fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
 
 /// Shadow rays to the lights of a kind.
 pub fn next_event(target: Target, kind: LightKind) -> Program {
-    let (label, last): (_, &[&Module]) = match kind {
+    let (label, last) = match kind {
         LightKind::Point => {
-            ("paths, point lights", &[&POINT_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_POINT])
+            ("paths, point lights", vec![&POINT_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_POINT])
         }
         LightKind::Area => {
-            ("paths, area lights", &[&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA])
+            let mut last = surfaces::light_glow(target.features);
+            last.extend([&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA]);
+            ("paths, area lights", last)
         }
     };
-    Program { label, modules: vertex(target, last) }
+    Program { label, modules: vertex(target, &last) }
 }
 
 /// The next segment of paths, in a scene with or without area lights.
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = vec![&HIT_POINT, survival];
-    last.extend(surfaces::keep_albedo(target.features));
+    last.push(surfaces::glow(target.features));
+    last.extend(surfaces::keep(target.features));
     match areas {
         true => last.extend([&MIS, &PATH_EMISSION]),
         false => last.push(&PATH_NO_EMISSION),
@@ -79,7 +82,7 @@ pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     let target = prepared.target();
     let areas = prepared.lights.count(LightKind::Area) > 0;
     let mut programs = vec![camera(target), count(), compact(), sum()];
-    programs.extend(areas.then(emit));
+    programs.extend(areas.then(|| emit(target)));
     if seeks_light(settings) {
         programs.extend(prepared.lights.kinds().map(|kind| next_event(target, kind)));
     }

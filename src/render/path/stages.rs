@@ -89,7 +89,7 @@ impl Stages {
             }
         }
         let areas = prepared.lights.count(LightKind::Area) > 0;
-        let emit = areas.then(|| bind(kernels::emit())).transpose()?;
+        let emit = areas.then(|| bind(kernels::emit(target))).transpose()?;
         let segment = programs::has_segments(settings, areas)
             .then(|| bind(programs::segment(target, settings.bounces, areas)));
         Ok(Self {
