@@ -1,3 +1,3 @@
-// No texture varies an albedo: it is that of the material.
+// The albedo of points is that of their materials: there is nothing to keep.
 
 fn keep_albedo(index: u32, hit: Hit, point: Point) {}

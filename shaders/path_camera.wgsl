@@ -27,6 +27,7 @@ fn main(
         let point = hit_point(sight.hit, sight.direction);
         points[slot] = with_view(point, sight.direction);
         keep_albedo(slot, sight.hit, point);
+        keep_glow(slot, sight.hit, point);
         radiance[slot] = vec4f(0.0);
         paths[slot] = Path(throughput_of(sight), stream);
         survivors[slot] = select(slot, NOTHING, sight.hit.triangle == NOTHING);

@@ -39,6 +39,7 @@ fn main(
         let carried = throughput / probability * throughput_of(sight);
         points[slot] = with_view(next, sight.direction);
         keep_albedo(slot, hit, next);
+        keep_glow(slot, hit, next);
         paths[slot] = Path(carried, path.stream);
         // No shadow ray would have gone this way if it was turned.
         let density = scattered.density * dot(point.normal, direction);

@@ -26,6 +26,7 @@ fn main(
         let point = hit_point(sight.hit, sight.direction);
         points[id.x] = with_view(point, sight.direction);
         keep_albedo(id.x, sight.hit, point);
+        keep_glow(id.x, sight.hit, point);
         keep_throughput(id.x, sight);
     }
 }

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use gpu_vpl::gpu::module::HIT_POINT;
 use gpu_vpl::gpu::{AdapterChoice, CATALOGUE, Gpu, Linked, Module, Program};
-use gpu_vpl::render::{Prepared, Settings, all_programs};
+use gpu_vpl::render::{Features, Prepared, Settings, Target, all_programs, kernels};
 use gpu_vpl::scene::Scene;
 use naga::compact::{KeepUnused, compact};
 
@@ -169,4 +169,18 @@ fn what_an_entry_point_does_not_use_is_not_bound() {
     let linked = Program::new("spare", vec![&SPARE]).link().expect("it is valid");
     assert_eq!(linked.bindings, [("out".to_owned(), 2)]);
     assert_eq!(used(&linked).keys().collect::<Vec<_>>(), ["out"]);
+}
+
+/// What a scene of plain triangles has no use for is not in the source of its programs.
+#[test]
+fn plain_programs_hold_neither_spheres_nor_textures() {
+    let words = |program: &Program| {
+        let source = program.link().expect("it is valid").source.to_lowercase();
+        ["sphere", "texture", "texel", "cutout", "alpha"].map(|word| source.contains(word))
+    };
+    let [none, all] = [Features::default(), Features::everything()].map(|features| {
+        let target = Target::of(true, features);
+        words(&kernels::visible_points(target))
+    });
+    assert_eq!((none, all), ([false; 5], [true; 5]));
 }

@@ -60,6 +60,13 @@ pub mod module {
         ALBEDO_TEXTURED = "albedo_textured" for "textures";
         KEEP_ALBEDO_NONE = "keep_albedo_none";
         KEEP_ALBEDO = "keep_albedo" for "textures";
+        MATERIAL_TEXTURES = "material_textures";
+        GLOW_NONE = "glow_none";
+        GLOW_TEXTURED = "glow_textured" for "emission textures";
+        KEEP_GLOW_NONE = "keep_glow_none";
+        KEEP_GLOW = "keep_glow" for "emission textures";
+        LIGHT_PLAIN = "light_plain";
+        LIGHT_TEXTURED = "light_textured" for "emission textures";
         LOBES_DIFFUSE = "lobes_diffuse";
         LOBES_PHONG = "lobes_phong" for "phong";
         SCATTER_DIFFUSE = "scatter_diffuse";

@@ -135,7 +135,11 @@ impl<'a> TileRenderer<'a> {
             return Ok(Vec::new());
         }
         let lights = &self.prepared.lights;
-        let places = lights.places(self.settings.shared_light_samples(), hash(self.seed));
+        let places = lights.places(
+            &self.prepared.scene,
+            self.settings.shared_light_samples(),
+            hash(self.seed),
+        );
         let kinds = [(Emitter::Point, lights.points()), (Emitter::Surface, places)];
         let mut gathers = Vec::new();
         for (emitter, lights) in kinds {

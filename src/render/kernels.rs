@@ -23,7 +23,7 @@ use crate::gpu::module::{
 use crate::gpu::{CATALOGUE, GpuError, Kernel, Module, Program, TriangleRecord};
 pub use tracing::Tracing;
 
-pub use surfaces::{keep_albedo, shapes};
+pub use surfaces::shapes;
 
 /// How rays are traced that neighbours trace alike.
 fn traverse(target: Target) -> &'static Module {
@@ -37,15 +37,14 @@ fn traverse(target: Target) -> &'static Module {
 /// Camera rays.
 pub fn visible_points(target: Target) -> Program {
     let keep = if target.features.specular() { &KEEP_THROUGHPUT } else { &KEEP_THROUGHPUT_NONE };
-    let mut modules = camera_rays(target, &kept_albedo(target.features));
+    let mut modules = camera_rays(target, &kept(target.features));
     modules.extend([view(target), keep, &VISIBLE]);
     Program::new("visible points", modules)
 }
 
-/// The albedo of points, kept by the pass that finds them.
-fn kept_albedo(features: Features) -> Vec<&'static Module> {
-    let read = features.textures.then_some(surfaces::albedo(features));
-    read.into_iter().chain(keep_albedo(features)).collect()
+/// What is kept of points by the pass that finds them.
+fn kept(features: Features) -> Vec<&'static Module> {
+    [surfaces::kept(features), surfaces::keep(features)].concat()
 }
 
 /// More camera rays where pixels see edges.
@@ -113,6 +112,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
         }
         LightKind::Area => {
             let draw = if many { &DRAW_RESAMPLED } else { &DRAW_ONE };
+            modules.extend(surfaces::light_glow(target.features));
             modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, draw, &DIRECT_AREA]);
             "direct light, areas"
         }
@@ -240,8 +240,9 @@ pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) 
 }
 
 /// Emission towards the camera.
-pub fn emit() -> Program {
-    Program::new("emission", vec![&TYPES, &THROUGHPUT_NONE, &EMIT])
+pub fn emit(target: Target) -> Program {
+    let modules = vec![&TYPES, &THROUGHPUT_NONE, surfaces::glow(target.features), &EMIT];
+    Program::new("emission", modules)
 }
 
 /// What visible points have gathered to reflected radiance.
@@ -293,7 +294,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         false => programs.extend(target.features.specular().then(|| resolve(target))),
     }
     if prepared.lights.count(LightKind::Area) > 0 {
-        programs.push(emit());
+        programs.push(emit(target));
     }
     let kinds = || prepared.lights.kinds();
     match settings.direct {
@@ -374,7 +375,7 @@ impl Kernels {
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![emit(), expand(), separate()];
+    let mut programs = vec![expand(), separate()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             // Literals are of triangles alone.
@@ -383,7 +384,7 @@ pub fn all_programs() -> Vec<Program> {
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
         programs.extend([visible_points(target), antialias(target), resolve(target)]);
-        programs.extend([reflect(target), removed(target), combine(target)]);
+        programs.extend([emit(target), reflect(target), removed(target), combine(target)]);
         programs.extend([false, true].map(|probed| collect(target, probed)));
         let shown = [Method::Normal, Method::Depth, Method::Albedo];
         programs.extend(shown.into_iter().filter_map(|method| show(target, method)));

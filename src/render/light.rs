@@ -5,6 +5,7 @@ use std::f32::consts::PI;
 use glam::Vec3;
 
 use super::merge::VirtualLight;
+use super::surface::light_glow;
 use crate::gpu::{AreaLightRecord, Gpu, GpuError, PointLightRecord};
 use crate::sampling::{Sequence, uniform_triangle};
 use crate::scene::Scene;
@@ -30,6 +31,8 @@ pub struct Lights {
     pub area: Vec<AreaLightRecord>,
     /// Lights without extent.
     pub point: Vec<PointLightRecord>,
+    /// The triangles that they are, by their indices in the scene.
+    pub emitters: Vec<u32>,
     /// Flux of all area lights, mean of the channels.
     area_power: f64,
     /// Running sums of the point lights' flux.
@@ -50,8 +53,8 @@ pub struct Choice<'a> {
 /// One light of [`Lights`].
 #[derive(Debug, Clone, Copy)]
 pub enum LightRef<'a> {
-    /// An emitting triangle.
-    Area(&'a AreaLightRecord),
+    /// An emitting triangle, and its index in the scene.
+    Area(&'a AreaLightRecord, u32),
     /// A light without extent.
     Point(&'a PointLightRecord),
 }
@@ -101,7 +104,7 @@ impl Lights {
                 record
             })
             .collect();
-        Self { area, point, area_power, point_power }
+        Self { area, point, emitters, area_power, point_power }
     }
 
     /// How many lights of a kind there are.
@@ -134,28 +137,30 @@ impl Lights {
         if self.area.is_empty() { 0.0 } else { (f64::from(PI) / self.area_power) as f32 }
     }
 
-    /// The area light whose interval of probability holds `u`, and where in it.
-    fn area_at(&self, u: f64) -> (&AreaLightRecord, f32) {
+    /// The index of the area light whose interval of probability holds `u`, and where in it.
+    fn area_at(&self, u: f64) -> (usize, f32) {
         let at = self.area.partition_point(|l| f64::from(l.before) <= u).saturating_sub(1);
         let light = &self.area[at];
-        (light, unit((u - f64::from(light.before)) / f64::from(light.probability)))
+        (at, unit((u - f64::from(light.before)) / f64::from(light.probability)))
     }
 
     /// `count` places on the area lights, chosen by power and then uniform, as lights that
     /// together give the light of all.
-    pub fn places(&self, count: u32, seed: u32) -> Vec<VirtualLight> {
+    pub fn places(&self, scene: &Scene, count: u32, seed: u32) -> Vec<VirtualLight> {
         let sequence = Sequence::new(seed);
         let places = if self.area.is_empty() { 0 } else { count };
         let mut lights = Vec::new();
         for index in 0..places {
             let draw = |dimension| sequence.sample(index, dimension);
-            let (light, rest) = self.area_at(f64::from(draw(0)));
+            let (index, rest) = self.area_at(f64::from(draw(0)));
+            let light = &self.area[index];
             let [b, c] = uniform_triangle([rest, draw(1)]);
             let [corner, edge1, edge2, normal, radiance] =
                 [light.corner, light.edge1, light.edge2, light.normal, light.radiance]
                     .map(Vec3::from_array);
+            let glow = light_glow(scene, self.emitters[index], [1.0 - b - c, b, c]);
             // L cos θ over the pdf of light and position, of which there are `count`.
-            let intensity = radiance * (light.area / (light.probability * count as f32));
+            let intensity = radiance * glow * (light.area / (light.probability * count as f32));
             let position = corner + edge1 * b + edge2 * c;
             lights.push(VirtualLight::diffuse(position, normal, intensity));
             if light.two_sided != 0 {
@@ -184,9 +189,14 @@ impl Lights {
         let target = f64::from(u) * total;
         if target < self.area_power || self.point.is_empty() {
             let share = self.area_power / total;
-            let (light, rest) = self.area_at((target / self.area_power).min(1.0));
+            let (at, rest) = self.area_at((target / self.area_power).min(1.0));
+            let light = &self.area[at];
             let probability = (share * f64::from(light.probability)) as f32;
-            return Some(Choice { light: LightRef::Area(light), probability, rest });
+            return Some(Choice {
+                light: LightRef::Area(light, self.emitters[at]),
+                probability,
+                rest,
+            });
         }
         let target = target - self.area_power;
         let at = self.point_power.partition_point(|&sum| sum <= target).min(self.point.len() - 1);

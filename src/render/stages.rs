@@ -45,7 +45,11 @@ pub type Kept = (&'static str, wgpu::Buffer);
 /// # Errors
 /// The device refuses.
 pub fn keep(gpu: &Gpu, features: Features, points: usize) -> Result<Vec<Kept>, GpuError> {
-    let names = [("albedos", features.textures), ("throughputs", features.specular())];
+    let names = [
+        ("albedos", features.textures),
+        ("glows", features.glows),
+        ("throughputs", features.specular()),
+    ];
     let asked = names.into_iter().filter(|(_, is)| *is);
     asked.map(|(name, _)| Ok((name, gpu.storage::<[f32; 4]>(name, points)?))).collect()
 }
@@ -150,7 +154,7 @@ impl Stages {
                 .then(|| Stage::new(prepared, &kernels::resolve(target), &on_film))
                 .transpose()?,
             show: kernels::show(target, settings.method).map(bind).transpose()?,
-            emit: when(lit && areas, kernels::emit())?,
+            emit: when(lit && areas, kernels::emit(target))?,
             direct: tables.iter().map(with_lights).collect::<Result<_, GpuError>>()?,
             reflect: when(gathers, kernels::reflect(target))?,
             removed: when(clamps, kernels::removed(target))?,

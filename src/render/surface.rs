@@ -1,6 +1,6 @@
 //! What a ray on the host has hit: the twin of `shaders/hit_point.wgsl`.
 
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 
 use crate::bvh::Hit;
 use crate::scene::{Scene, texture};
@@ -26,10 +26,7 @@ impl Surface {
         let (position, normal) = place(scene, hit);
         let front = normal.dot(direction) <= 0.0;
         let material = &scene.materials[hit.material as usize];
-        let texture = material.texture.map_or(Vec3::ONE, |texture| {
-            let uv = texture_coordinates(scene, hit);
-            scene.textures[texture as usize].sample(&scene.images, uv).truncate()
-        });
+        let texture = textured(scene, material.texture, hit);
         Self {
             position,
             normal: if front { normal } else { -normal },
@@ -56,9 +53,24 @@ fn place(scene: &Scene, hit: &Hit) -> (Vec3, Vec3) {
     }
 }
 
-fn texture_coordinates(scene: &Scene, hit: &Hit) -> Vec2 {
-    match (hit.shape as usize) < scene.triangles.len() {
-        true => texture::on_triangle(scene.uvs[hit.shape as usize], hit.weights),
-        false => texture::on_sphere(Vec3::from_array(hit.weights)),
+/// What a texture multiplies by where a ray has hit.
+fn textured(scene: &Scene, used: Option<u32>, hit: &Hit) -> Vec3 {
+    let Some(used) = used else { return Vec3::ONE };
+    let uv = match scene.uvs.get(hit.shape as usize) {
+        Some(corners) => texture::on_triangle(*corners, hit.weights),
+        None => texture::on_sphere(Vec3::from_array(hit.weights)),
+    };
+    scene.textures[used as usize].sample(&scene.images, uv).truncate()
+}
+
+/// What the radiance of an emitting triangle is multiplied by at a place. The twin of
+/// `shaders/light_textured.wgsl`.
+pub fn light_glow(scene: &Scene, triangle: u32, weights: [f32; 3]) -> Vec3 {
+    let material = &scene.materials[scene.triangles[triangle as usize].material as usize];
+    let uv = || texture::on_triangle(scene.uvs[triangle as usize], weights);
+    let sample = |used: u32| scene.textures[used as usize].sample(&scene.images, uv());
+    if material.cutout.is_some_and(|cutout| sample(cutout).w < 0.5) {
+        return Vec3::ZERO;
     }
+    material.emission_texture.map_or(Vec3::ONE, |used| sample(used).truncate())
 }

@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::{Features, scatter};
 use crate::bvh::Bvh;
 use crate::gpu::{Gpu, GpuError, MaterialRecord, NodeRecord, TextureRecord, TriangleRecord};
-use crate::scene::{Scene, Texture, Wrap};
+use crate::scene::{Material, Scene, Texture, Wrap};
 
 /// A table of the scene, and the name by which shaders know it.
 pub type Table = (&'static str, wgpu::Buffer);
@@ -18,7 +18,7 @@ fn sizes(scene: &Scene, features: Features) -> Vec<(&'static str, usize)> {
         // A leaf holds a few shapes, and there are twice as many nodes as leaves.
         ("BVH nodes", shapes / 2 * size_of::<NodeRecord>()),
     ];
-    if features.textures || features.cutouts {
+    if features.has_textures() {
         let texels: usize = used_images(scene).map(|image| scene.images[image].rgba.len()).sum();
         sizes.push(("texels", texels * size_of::<u32>()));
         sizes.push(("texture coordinates", scene.uvs.len() * size_of::<[Vec2; 3]>()));
@@ -68,11 +68,9 @@ pub fn upload(
     if features.has_finishes() {
         tables.push(("finishes", gpu.storage_of("finishes", &scatter::finishes(scene))?));
     }
-    if features.textures || features.cutouts {
+    if features.has_textures() {
         let (texels, textures) = pack(scene);
-        let plus_one = |texture: Option<u32>| texture.map_or(0, |texture| texture + 1);
-        let of_material =
-            |m: &crate::scene::Material| [m.texture, m.emission_texture].map(plus_one);
+        let of_material = |m: &Material| [m.texture, m.emission_texture].map(plus_one);
         let used: Vec<[u32; 2]> = scene.materials.iter().map(of_material).collect();
         let uvs = bytemuck::cast_slice::<_, [f32; 6]>(&scene.uvs);
         tables.extend([
@@ -82,7 +80,25 @@ pub fn upload(
             ("material_textures", gpu.storage_of("textures of materials", &used)?),
         ]);
     }
+    if features.glows {
+        let lights = light_textures(scene);
+        tables.push(("light_textures", gpu.storage_of("textures of area lights", &lights)?));
+    }
     Ok(tables)
+}
+
+/// The triangle of each area light, and its textures: see `shaders/light_textured.wgsl`.
+fn light_textures(scene: &Scene) -> Vec<[u32; 4]> {
+    let of_light = |triangle: u32| {
+        let material = &scene.materials[scene.triangles[triangle as usize].material as usize];
+        let [glow, cutout] = [material.emission_texture, material.cutout].map(plus_one);
+        [triangle, glow, cutout, 0]
+    };
+    scene.emitters().map(of_light).collect()
+}
+
+fn plus_one(texture: Option<u32>) -> u32 {
+    texture.map_or(0, |texture| texture + 1)
 }
 
 /// The images that some material shows, in order.

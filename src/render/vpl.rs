@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::light::{Choice, LightRef, Lights};
 use super::scatter::{self, Carried, Place};
 use super::settings::Bounces;
-use super::surface::Surface;
+use super::surface::{Surface, light_glow};
 use crate::bvh::{Bvh, Ray};
 use crate::sampling::{
     SURFACE_OFFSET, Sequence, cosine_hemisphere, uniform_sphere, uniform_triangle,
@@ -121,7 +121,7 @@ impl LightPaths<'_> {
         let Choice { light, probability, rest } = self.lights.choose(draw(0))?;
         let paths = self.count as f32;
         match light {
-            LightRef::Area(light) => {
+            LightRef::Area(light, triangle) => {
                 let [b, c] = uniform_triangle([draw(1), draw(2)]);
                 let [corner, edge1, edge2, normal, radiance] =
                     [light.corner, light.edge1, light.edge2, light.normal, light.radiance]
@@ -130,8 +130,9 @@ impl LightPaths<'_> {
                 let normal = if two_sided && rest < 0.5 { -normal } else { normal };
                 let sides = if two_sided { 2.0 } else { 1.0 };
                 let direction = cosine_hemisphere(normal, [draw(3), draw(4)]);
+                let glow = light_glow(self.scene, triangle, [1.0 - b - c, b, c]);
                 // L cos θ over the pdf of light, position and direction.
-                let flux = radiance * (PI * light.area * sides / (probability * paths));
+                let flux = radiance * glow * (PI * light.area * sides / (probability * paths));
                 Some((leave(corner + edge1 * b + edge2 * c, normal, direction), flux))
             }
             LightRef::Point(light) => {

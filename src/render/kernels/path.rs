@@ -1,6 +1,6 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, camera_rays, follow, kept_albedo, surfaces, view};
+use super::{Prepared, camera_rays, follow, kept, surfaces, view};
 use crate::gpu::module::{
     AREA_LIGHT, CHOOSE_LIGHT, EMIT, FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS,
     NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT,
@@ -13,7 +13,7 @@ use crate::render::{Bounces, Direct, LightKind, Settings, Target};
 
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
-    let mut modules = camera_rays(target, &kept_albedo(target.features));
+    let mut modules = camera_rays(target, &kept(target.features));
     modules.extend([view(target), &PATH_STATE, &PATH_CAMERA]);
     Program::new("paths, camera", modules)
 }
@@ -34,32 +34,35 @@ fn scatter(target: Target) -> Vec<&'static Module> {
 
 /// What paths see that is emitted towards the camera.
 pub fn emit(target: Target) -> Program {
-    let modules = match target.features.specular() {
-        true => vec![&TYPES, &PATH_STATE, &THROUGHPUT_PATH, &EMIT],
-        false => vec![&TYPES, &THROUGHPUT_NONE, &EMIT],
+    let throughput: &[&Module] = match target.features.specular() {
+        true => &[&PATH_STATE, &THROUGHPUT_PATH],
+        false => &[&THROUGHPUT_NONE],
     };
-    Program::new("emission", modules)
+    let last = [surfaces::glow(target.features), &EMIT];
+    Program::new("emission", [&[&TYPES], throughput, &last].concat())
 }
 
 /// Shadow rays to the lights of a kind.
 pub fn next_event(target: Target, kind: LightKind) -> Program {
-    let (label, last): (_, &[&Module]) = match kind {
+    let (label, last) = match kind {
         LightKind::Point => {
-            ("paths, point lights", &[&POINT_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_POINT])
+            ("paths, point lights", vec![&POINT_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_POINT])
         }
         LightKind::Area => {
-            ("paths, area lights", &[&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA])
+            let mut last = surfaces::light_glow(target.features);
+            last.extend([&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA]);
+            ("paths, area lights", last)
         }
     };
-    Program::new(label, vertex(target, last))
+    Program::new(label, vertex(target, &last))
 }
 
 /// The next segment of paths, in a scene with or without area lights.
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = follow(target);
-    last.push(survival);
-    last.extend(surfaces::keep_albedo(target.features));
+    last.extend([survival, surfaces::glow(target.features)]);
+    last.extend(surfaces::keep(target.features));
     match areas {
         true => last.extend([&MIS, &PATH_EMISSION]),
         false => last.push(&PATH_NO_EMISSION),

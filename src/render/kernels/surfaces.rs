@@ -2,8 +2,10 @@
 
 use crate::gpu::Module;
 use crate::gpu::module::{
-    ALBEDO_PLAIN, ALBEDO_TEXTURED, BLOCKER_ANY, BLOCKER_TRIANGLE, KEEP_ALBEDO, KEEP_ALBEDO_NONE,
-    OPAQUE_ALL, OPAQUE_CUTOUT, RAY, SHAPE_ANY, SHAPE_TRIANGLE, TEXTURE, UV_ANY, UV_TRIANGLE,
+    ALBEDO_PLAIN, ALBEDO_TEXTURED, BLOCKER_ANY, BLOCKER_TRIANGLE, GLOW_NONE, GLOW_TEXTURED,
+    KEEP_ALBEDO, KEEP_ALBEDO_NONE, KEEP_GLOW, KEEP_GLOW_NONE, LIGHT_PLAIN, LIGHT_TEXTURED,
+    MATERIAL_TEXTURES, OPAQUE_ALL, OPAQUE_CUTOUT, RAY, SHAPE_ANY, SHAPE_TRIANGLE, TEXTURE, UV_ANY,
+    UV_TRIANGLE,
 };
 use crate::render::{Features, Target};
 
@@ -41,13 +43,39 @@ pub fn albedo(features: Features) -> &'static Module {
     if features.textures { &ALBEDO_TEXTURED } else { &ALBEDO_PLAIN }
 }
 
-/// What keeps the albedo of points where rays have hit.
-pub fn keep_albedo(features: Features) -> Vec<&'static Module> {
-    if !features.textures {
-        return vec![&KEEP_ALBEDO_NONE];
+/// What the emission of points is multiplied by.
+pub fn glow(features: Features) -> &'static Module {
+    if features.glows { &GLOW_TEXTURED } else { &GLOW_NONE }
+}
+
+/// What the radiance of area lights is multiplied by.
+pub fn light_glow(features: Features) -> Vec<&'static Module> {
+    match features.glows {
+        true => [&more_textures(features)[..], &[&LIGHT_TEXTURED]].concat(),
+        false => vec![&LIGHT_PLAIN],
     }
-    let textures = if features.cutouts { Vec::new() } else { textures(features) };
-    [&textures[..], &[&KEEP_ALBEDO]].concat()
+}
+
+/// What keeps albedo and emission of points where rays have hit.
+pub fn keep(features: Features) -> Vec<&'static Module> {
+    let mut modules = Vec::new();
+    if features.textures || features.glows {
+        modules.extend(more_textures(features).into_iter().chain([&MATERIAL_TEXTURES]));
+    }
+    modules.push(if features.textures { &KEEP_ALBEDO } else { &KEEP_ALBEDO_NONE });
+    modules.push(if features.glows { &KEEP_GLOW } else { &KEEP_GLOW_NONE });
+    modules
+}
+
+/// The buffers that [`keep`] writes.
+pub fn kept(features: Features) -> Vec<&'static Module> {
+    let buffers = [(features.textures, albedo(features)), (features.glows, glow(features))];
+    buffers.into_iter().filter_map(|(is, module)| is.then_some(module)).collect()
+}
+
+/// Textures, unless they are there for holes.
+fn more_textures(features: Features) -> Vec<&'static Module> {
+    if features.cutouts { Vec::new() } else { textures(features) }
 }
 
 fn textures(features: Features) -> Vec<&'static Module> {
