@@ -158,10 +158,11 @@ fn the_brightest_and_the_impossible_of_a_map_are_bounded() {
     let got = environment(&scene).from_direction(Vec3::X).x;
     assert!((got / 1e5 - 1.0).abs() < 0.05, "{got}");
 
-    let bad = [[1.0, 1.0, 1.0], [1.0, f32::NAN, -1.0]];
+    let bad = [[0.0, 3.0, f32::INFINITY], [1.0, f32::NAN, -1.0]];
     let scene = around("", "a.exr", Some(&pictures::exr(2, &bad)));
-    warned(&scene, "scene.toml:10: image a.exr: 1 pixels, the first at 1, 0, are negative", true);
+    warned(&scene, "scene.toml:10: image a.exr: 2 pixels, the first at 0, 0, are negative", true);
     assert_eq!(environment(&scene).from_direction(Vec3::X), Vec3::X);
+    assert_eq!(environment(&scene).from_direction(-Vec3::X), 3.0 * Vec3::Y);
 }
 
 #[test]

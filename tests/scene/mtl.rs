@@ -187,6 +187,7 @@ fn options_move_scale_and_clamp_a_texture() {
     assert_eq!(shown("map_Kd -o 0.5 0.5 0 a.png", 0.75, 0.25), RED);
     assert_eq!(shown("map_Kd -s 2 a.png", 0.375, 0.75), GREEN);
     assert_eq!(shown("map_Kd -s 1 3 a.png", 0.25, 0.25), RED);
+    assert_eq!(shown("map_Kd -s 1 1.5 a.png", 0.25, 0.5), RED);
     assert_eq!(shown("map_Kd -s 1 3 1 -o 0 0.5 a.png", 0.25, 0.25), BLUE);
     assert_eq!(shown("map_Kd -clamp off a.png", 1.25, 0.75), RED);
     assert_eq!(shown("map_Kd -clamp on a.png", 1.25, 1.75), GREEN);

@@ -107,12 +107,11 @@ pub fn mutated(seeds: Vec<Vec<u8>>) -> impl Strategy<Value = Vec<u8>> {
 /// Runs a test on a few cases; for `SCENE_FUZZ_SECONDS`, if they are given, on many.
 pub fn fuzz<S: Strategy>(name: &str, strategy: &S, test: impl Fn(S::Value)) {
     let seconds = std::env::var("SCENE_FUZZ_SECONDS").ok().and_then(|text| text.parse().ok());
-    let (start, mut cases) = (Instant::now(), 0);
-    let mut runner = TestRunner::new(ProptestConfig {
-        failure_persistence: None,
-        ..ProptestConfig::with_cases(150)
-    });
+    let (start, mut cases) = (Instant::now(), 0_u64);
+    let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(150) };
     loop {
+        // A runner is through after its cases.
+        let mut runner = TestRunner::new(config.clone());
         let result = runner.run(strategy, |value| {
             let start = Instant::now();
             test(value);

@@ -17,13 +17,16 @@ use crate::scene::{Origin, Warning, draft, normalise};
 /// The most texels of a map: 1 GiB packed.
 const MOST_TEXELS: u64 = 1 << 28;
 
+/// Greater radiances would overflow when they are rounded up.
+const BRIGHTEST: f32 = 1e37;
+
 const EXR: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 
 /// A map, and what its values are multiples of.
 struct Map {
     image: EnvironmentImage,
     unit: f32,
-    /// How many of its texels are negative or no numbers, and the first of them.
+    /// How many of its texels cannot be, and the first of them.
     impossible: Option<(usize, [usize; 2])>,
 }
 
@@ -45,7 +48,7 @@ pub fn read(path: &Path, radiance: DVec3, origin: &Origin) -> (Environment, Opti
         return magenta("is brighter than f32 can hold");
     }
     let warning = impossible.map(|(count, [x, y])| {
-        let what = "negative, infinite or no numbers; they are 0 here";
+        let what = "negative, beyond 1e37 or no numbers; they are 0 here";
         origin.changed(format!("image {shown}: {count} pixels, the first at {x}, {y}, are {what}"))
     });
     (Environment { radiance: normalise::round(radiance), image: Some(image) }, warning)
@@ -90,13 +93,13 @@ fn read_hdr(bytes: &[u8]) -> Result<([u32; 2], Vec<f32>), String> {
 /// Packs radiances, in a unit that the largest of them fits.
 fn from_radiance(name: String, size: [u32; 2], mut channels: Vec<f32>) -> Map {
     let pixels = channels.as_chunks_mut::<3>().0;
-    let possible = |pixel: &[f32; 3]| pixel.iter().all(|&c| c >= 0.0 && c.is_finite());
+    let possible = |c: &f32| (0.0..=BRIGHTEST).contains(c);
     let width = size[0] as usize;
-    let first = pixels.iter().position(|pixel| !possible(pixel));
+    let first = pixels.iter().position(|pixel| !pixel.iter().all(possible));
     let impossible = first.map(|first| {
         let mut count = 0;
-        for pixel in pixels[first..].iter_mut().filter(|pixel| !possible(pixel)) {
-            *pixel = pixel.map(|c| if c >= 0.0 && c.is_finite() { c } else { 0.0 });
+        for pixel in pixels[first..].iter_mut().filter(|pixel| !pixel.iter().all(possible)) {
+            *pixel = pixel.map(|c| if possible(&c) { c } else { 0.0 });
             count += 1;
         }
         (count, [first % width, first / width])
@@ -130,7 +133,7 @@ mod tests {
 
     #[test]
     fn bright_and_dim_maps_fit_their_units() {
-        for most in [0.0, 1e-29, 3e-12, 0.7, 1.0, 4e4, 7e4, 1e20, f32::MAX] {
+        for most in [0.0, 1e-29, 3e-12, 0.7, 1.0, 4e4, 7e4, 1e20, BRIGHTEST] {
             let map =
                 from_radiance(String::new(), [2, 1], vec![most, most, most, 0.5 * most, 0.0, 0.0]);
             let got = |i: usize| map.unit * unpack(map.image.texels[i]);

@@ -166,3 +166,20 @@ impl Part {
         Texels { name, size, rgba }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_cutoff_becomes_one_half() {
+        let rgba: Vec<[u8; 4]> = (0..=u8::MAX).map(|alpha| [0, 0, 0, alpha]).collect();
+        for least in 1..=u8::MAX {
+            let decoded = Decoded { size: [16, 16], rgba: rgba.clone(), has_alpha: true };
+            let texels = Part::AlphaFrom(least).of(decoded, String::new());
+            for (was, is) in rgba.iter().zip(&texels.rgba) {
+                assert_eq!(was[3] >= least, is[3] >= HALF, "{least}: {was:?} {is:?}");
+            }
+        }
+    }
+}
