@@ -19,14 +19,17 @@ fn main(
     if params.samples > 1u { inside = scrambled(params.sample + slot % params.rays, stream); }
     let direction = camera_direction(pixel, inside);
     let limit = select(0.0, HUGE, is && pixel.x < params.width && pixel.y < params.height);
-    let hit = traverse(params.position, direction, limit, params.nodes, false, invocation);
+    let sight = follow(
+        params.position, direction, limit, params.nodes, params.offset,
+        params.sample + slot % params.rays, stream, invocation,
+    );
     if is {
-        let point = hit_point(hit, direction);
-        points[slot] = point;
-        keep_albedo(slot, hit, point);
-        keep_glow(slot, hit, point);
+        let point = hit_point(sight.hit, sight.direction);
+        points[slot] = with_view(point, sight.direction);
+        keep_albedo(slot, sight.hit, point);
+        keep_glow(slot, sight.hit, point);
         radiance[slot] = vec4f(0.0);
-        paths[slot] = Path(vec3f(1.0), stream);
-        survivors[slot] = select(slot, NOTHING, hit.triangle == NOTHING);
+        paths[slot] = Path(throughput_of(sight), stream);
+        survivors[slot] = select(slot, NOTHING, sight.hit.triangle == NOTHING);
     }
 }

@@ -16,12 +16,17 @@ fn main(
     if params.samples > 1u { inside = scrambled(params.sample, camera_stream(pixel)); }
     let direction = camera_direction(pixel, inside);
     let limit = select(0.0, HUGE, is);
-    let hit = traverse(params.position, direction, limit, params.nodes, false, invocation);
-    if hit.triangle != NOTHING { film[id.x].w += 1.0; }
+    let stream = camera_stream(pixel);
+    let sight = follow(
+        params.position, direction, limit, params.nodes, params.offset, params.sample, stream,
+        invocation,
+    );
+    if sight.hit.triangle != NOTHING { film[id.x].w += 1.0; }
     if id.x < params.blocks * 64u {
-        let point = hit_point(hit, direction);
-        points[id.x] = point;
-        keep_albedo(id.x, hit, point);
-        keep_glow(id.x, hit, point);
+        let point = hit_point(sight.hit, sight.direction);
+        points[id.x] = with_view(point, sight.direction);
+        keep_albedo(id.x, sight.hit, point);
+        keep_glow(id.x, sight.hit, point);
+        keep_throughput(id.x, sight);
     }
 }

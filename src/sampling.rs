@@ -58,13 +58,29 @@ pub fn uniform_sphere(u: [f32; 2]) -> Vec3 {
 pub fn cosine_hemisphere(normal: Vec3, u: [f32; 2]) -> Vec3 {
     let r = u[0].sqrt();
     let (sin, cos) = turn(u[1]);
-    // Frame of Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017.
-    let sign = 1.0f32.copysign(normal.z);
-    let a = -1.0 / (sign + normal.z);
-    let b = normal.x * normal.y * a;
-    let x = Vec3::new(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
-    let y = Vec3::new(b, sign + normal.y * normal.y * a, -normal.y);
+    let [x, y] = frame(normal);
     (x * (r * cos) + y * (r * sin) + normal * (1.0 - u[0]).max(0.0).sqrt()).normalize()
+}
+
+/// The unit vector at an angle of this cosine to a unit `axis`, turned about it by the fraction
+/// `turned` of a full turn.
+pub fn about(axis: Vec3, cosine: f32, turned: f32) -> Vec3 {
+    let r = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let (sin, cos) = turn(turned);
+    let [x, y] = frame(axis);
+    (x * (r * cos) + y * (r * sin) + axis * cosine).normalize()
+}
+
+/// Two unit vectors across a unit axis and each other: Duff et al., "Building an Orthonormal
+/// Basis, Revisited", JCGT 2017.
+fn frame(axis: Vec3) -> [Vec3; 2] {
+    let sign = 1.0f32.copysign(axis.z);
+    let a = -1.0 / (sign + axis.z);
+    let b = axis.x * axis.y * a;
+    [
+        Vec3::new(1.0 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x),
+        Vec3::new(b, sign + axis.y * axis.y * a, -axis.y),
+    ]
 }
 
 /// Weights of a triangle's second and third corner, uniform over its area.

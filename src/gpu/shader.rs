@@ -48,6 +48,13 @@ pub mod module {
         UV_TRIANGLE = "uv_triangle";
         UV_ANY = "uv_any" for "spheres";
         ALBEDO_PLAIN = "albedo_plain";
+        HEMISPHERE = "hemisphere";
+        FINISH = "finish";
+        VIEW_NONE = "view_none";
+        VIEW_KEPT = "view_kept" for "phong";
+        PHONG = "phong" for "phong";
+        GATHERED_DIFFUSE = "gathered_diffuse";
+        GATHERED_PHONG = "gathered_phong" for "phong";
         ALBEDO_TEXTURED = "albedo_textured" for "textures";
         KEEP_ALBEDO_NONE = "keep_albedo_none";
         KEEP_ALBEDO = "keep_albedo" for "textures";
@@ -59,7 +66,25 @@ pub mod module {
         LIGHT_PLAIN = "light_plain";
         LIGHT_TEXTURED = "light_textured" for "emission textures";
         LOBES_DIFFUSE = "lobes_diffuse";
+        LOBES_PHONG = "lobes_phong" for "phong";
         SCATTER_DIFFUSE = "scatter_diffuse";
+        SCATTER_PHONG = "scatter_phong" for "phong";
+        TURN = "turn";
+        MIRROR = "mirror" for "mirror";
+        GLASS = "glass" for "glass";
+        TURN_MIRROR = "turn_mirror" for "mirror";
+        TURN_GLASS = "turn_glass" for "glass";
+        TURN_EITHER = "turn_either";
+        FOLLOW_NONE = "follow_none";
+        FOLLOW_SPECULAR = "follow_specular";
+        KEEP_THROUGHPUT_NONE = "keep_throughput_none";
+        KEEP_THROUGHPUT = "keep_throughput";
+        THROUGHPUT_NONE = "throughput_none";
+        THROUGHPUT_KEPT = "throughput_kept";
+        THROUGHPUT_PATH = "throughput_path";
+        RESOLVE = "resolve";
+        VPL_DIFFUSE = "vpl_diffuse";
+        VPL_GLOSSY = "vpl_glossy" for "phong";
         RAY = "ray";
         TRAVERSE = "traverse";
         TRAVERSE_PACKET = "traverse_packet";
@@ -99,6 +124,9 @@ pub mod module {
         GATHER = "gather" for "indirect light";
         SHADE = "shade" for "indirect light";
         SHADE_COOPERATIVE = "shade_cooperative" for "indirect light";
+        PAIR_DIFFUSE = "pair_diffuse";
+        PAIR_GLOSSY = "pair_glossy" for "phong";
+        SHADE_GLOSSY = "shade_glossy" for "phong";
         PAIR_BOUNDED = "pair_bounded" for "clamp";
         PAIR_UNBOUNDED = "pair_unbounded";
         PATH = "path" for "path tracing";
@@ -149,6 +177,17 @@ pub struct Linked {
 }
 
 impl Program {
+    /// Of files, each of which is linked once, where it first stands.
+    pub fn new(label: &'static str, modules: Vec<&'static Module>) -> Self {
+        let mut once: Vec<&'static Module> = Vec::with_capacity(modules.len());
+        for module in modules {
+            if !once.contains(&module) {
+                once.push(module);
+            }
+        }
+        Self { label, modules: once }
+    }
+
     /// Joins the files, parses and validates them, and finds what they bind.
     ///
     /// # Errors

@@ -15,8 +15,10 @@ pub struct Features {
     pub glows: bool,
     /// Surfaces with a Phong lobe.
     pub phong: bool,
-    /// Mirrors or glass: camera rays go on there.
-    pub specular: bool,
+    /// Ideal mirrors.
+    pub mirror: bool,
+    /// Smooth dielectrics.
+    pub glass: bool,
 }
 
 impl Features {
@@ -30,13 +32,24 @@ impl Features {
             textures: scene.materials.iter().any(|material| material.texture.is_some()),
             glows: scene.materials.iter().filter(glows).count() > 0,
             phong: any(&|finish| matches!(finish, Finish::Phong { .. })),
-            specular: any(&|finish| finish.is_specular()),
+            mirror: any(&|finish| matches!(finish, Finish::Mirror { .. })),
+            glass: any(&|finish| matches!(finish, Finish::Glass { .. })),
         }
     }
 
     /// Whether there is any texture.
     pub fn has_textures(self) -> bool {
         self.textures || self.cutouts || self.glows
+    }
+
+    /// Whether any surface is more than diffuse.
+    pub fn has_finishes(&self) -> bool {
+        self.phong || self.specular()
+    }
+
+    /// Whether rays go on at some surfaces.
+    pub fn specular(&self) -> bool {
+        self.mirror || self.glass
     }
 
     /// All there are, whatever the scene has: for measuring what leaving out saves.
@@ -47,7 +60,8 @@ impl Features {
             textures: true,
             glows: true,
             phong: true,
-            specular: true,
+            mirror: true,
+            glass: true,
         }
     }
 }
@@ -67,6 +81,11 @@ impl Target {
         Self { subgroups, features: Features::default() }
     }
 
+    /// How many values of four channels a point gathers: irradiance, and another for a lobe.
+    pub fn lobes(&self) -> usize {
+        if self.features.phong { 2 } else { 1 }
+    }
+
     /// Enough of the possible ones to link every module: each feature by itself, none, and all.
     pub fn all() -> Vec<Self> {
         let none = Features::default();
@@ -77,7 +96,8 @@ impl Target {
             Features { textures: true, ..none },
             Features { glows: true, ..none },
             Features { phong: true, ..none },
-            Features { specular: true, ..none },
+            Features { mirror: true, ..none },
+            Features { glass: true, ..none },
             Features::everything(),
         ];
         let both = [false, true].into_iter();

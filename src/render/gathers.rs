@@ -88,7 +88,7 @@ impl<'a> TileRenderer<'a> {
     ) -> Result<Option<Clustered>, GpuError> {
         let gpu = &self.prepared.gpu;
         let buffers = &self.stages.buffers;
-        let asked = match LightSet::new(gpu, probes, None, None, 1)? {
+        let asked = match LightSet::new(self.prepared, probes, None, None, 1)? {
             Some(lights) => {
                 let (named, points) = (buffers.named(self.prepared), self.tiling.most_points());
                 Some(Probes::new(self.prepared, &lights, &named, points)?)
@@ -143,7 +143,7 @@ impl<'a> TileRenderer<'a> {
         let kinds = [(Emitter::Point, lights.points()), (Emitter::Surface, places)];
         let mut gathers = Vec::new();
         for (emitter, lights) in kinds {
-            if let Some(lights) = LightSet::direct(&self.prepared.gpu, emitter, &lights)? {
+            if let Some(lights) = LightSet::direct(self.prepared, emitter, &lights)? {
                 let named = self.stages.buffers.named(self.prepared);
                 let (clusters, points) = (Some(&clustered.clusters), self.tiling.most_points());
                 gathers.push(Gather::new(self.prepared, lights, clusters, &named, points)?);

@@ -8,12 +8,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::{Clamp, Direct, Features, LightKind, Method, Prepared, Settings, Target};
 use crate::gpu::module::{
     ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT, DIRECT_AREA,
-    DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, GATHER,
-    HIT_POINT, INTERLEAVED, LOBES_DIFFUSE, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED,
-    PAIR_UNBOUNDED, PIXELS, POINT_LIGHT, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING,
-    SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH,
-    SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY,
-    VISIBILITY_PACKET, VISIBLE,
+    DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE, EXPAND, FINISH,
+    FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS, HIT_POINT,
+    INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LOBES_DIFFUSE, LOBES_PHONG, MIRROR,
+    ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
+    PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER, ROW_POINT,
+    SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SHOW_ALBEDO,
+    SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, THROUGHPUT_KEPT, THROUGHPUT_NONE,
+    TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES, VIEW_KEPT,
+    VIEW_NONE, VISIBILITY, VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -26,9 +29,10 @@ fn traverse(target: Target) -> &'static Module {
 
 /// Camera rays.
 pub fn visible_points(target: Target) -> Program {
+    let keep = if target.features.specular() { &KEEP_THROUGHPUT } else { &KEEP_THROUGHPUT_NONE };
     let mut modules = camera_rays(target, &kept(target.features));
-    modules.push(&VISIBLE);
-    Program { label: "visible points", modules }
+    modules.extend([view(target), keep, &VISIBLE]);
+    Program::new("visible points", modules)
 }
 
 /// What is kept of points by the pass that finds them.
@@ -38,19 +42,58 @@ fn kept(features: Features) -> Vec<&'static Module> {
 
 /// More camera rays where pixels see edges.
 pub fn antialias(target: Target) -> Program {
-    let modules = camera_rays(target, &[&ONE_SURFACE, &ANTIALIAS]);
-    Program { label: "antialiasing", modules }
+    let modules = camera_rays(target, &[throughput(target), &ONE_SURFACE, &ANTIALIAS]);
+    Program::new("antialiasing", modules)
 }
 
 fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
     let (first, rays) = ([&TYPES, &SAMPLING, &PIXELS], surfaces::rays(target));
-    [&first[..], &rays, &[&CAMERA, &HIT_POINT], last].concat()
+    [&first[..], &rays, &[&CAMERA], &follow(target), last].concat()
+}
+
+/// How rays go on at mirrors and glass, and what they see.
+fn follow(target: Target) -> Vec<&'static Module> {
+    let turns: &[&Module] = match (target.features.mirror, target.features.glass) {
+        (false, false) => return vec![&HIT_POINT, &FOLLOW_NONE],
+        (true, false) => &[&MIRROR, &TURN_MIRROR],
+        (false, true) => &[&GLASS, &TURN_GLASS],
+        (true, true) => &[&MIRROR, &GLASS, &TURN_EITHER],
+    };
+    [&[&HIT_POINT, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
+}
+
+/// Whether a visible point keeps where it is seen from.
+fn view(target: Target) -> &'static Module {
+    if target.features.phong { &VIEW_KEPT } else { &VIEW_NONE }
+}
+
+/// What points gather.
+fn gathered(target: Target) -> &'static Module {
+    if target.features.phong { &GATHERED_PHONG } else { &GATHERED_DIFFUSE }
+}
+
+/// How points gather, and what they reflect of it.
+fn lobes(target: Target) -> Vec<&'static Module> {
+    match target.features.phong {
+        true => vec![&GATHERED_PHONG, &VIEW_KEPT, &FINISH, &PHONG, &LOBES_PHONG],
+        false => vec![&GATHERED_DIFFUSE, &LOBES_DIFFUSE],
+    }
+}
+
+fn vpl(target: Target) -> &'static Module {
+    if target.features.phong { &VPL_GLOSSY } else { &VPL_DIFFUSE }
+}
+
+/// What comes back of the radiance of visible points.
+fn throughput(target: Target) -> &'static Module {
+    if target.features.specular() { &THROUGHPUT_KEPT } else { &THROUGHPUT_NONE }
 }
 
 /// Direct light from the lights of a kind. From many area lights, those that give much are sought
 /// out.
 pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING, &LOBES_DIFFUSE];
+    let mut modules = vec![&TYPES, &SAMPLING];
+    modules.extend(lobes(target));
     modules.extend(surfaces::rays(target));
     modules.push(&DIRECT);
     let label = match kind {
@@ -65,7 +108,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
             "direct light, areas"
         }
     };
-    Program { label, modules }
+    Program::new(label, modules)
 }
 
 /// The program for direct light from the lights of a kind in a scene.
@@ -139,7 +182,7 @@ impl Emitter {
 
 /// Shadow rays between points and lights.
 pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program {
-    let mut modules = vec![&TYPES];
+    let mut modules = vec![&TYPES, vpl(target)];
     modules.extend(match tracing {
         Tracing::Single => shapes(target.features),
         Tracing::Shaft | Tracing::Rays => surfaces::blockers(target.features),
@@ -150,7 +193,7 @@ pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program
         Tracing::Shaft => [&PACKET_SHAFT, &VISIBILITY_PACKET],
         Tracing::Rays => [&PACKET_RAYS, &VISIBILITY_PACKET],
     });
-    Program { label: "visibility", modules }
+    Program::new("visibility", modules)
 }
 
 /// The visibility program that suits a scene and its device.
@@ -160,27 +203,27 @@ pub fn visibility_for(prepared: &Prepared, emitter: Emitter) -> Program {
 
 /// Visibility of VPLs from that of their clusters.
 pub fn expand() -> Program {
-    Program { label: "expansion", modules: vec![&EXPAND] }
+    Program::new("expansion", vec![&EXPAND])
 }
 
 /// Interleaved sampling: points into the order of subsets.
 pub fn separate() -> Program {
     let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &SEPARATE];
-    Program { label: "separation", modules }
+    Program::new("separation", modules)
 }
 
 /// Interleaved sampling: what points have gathered into rows of pixels, with signatures where
 /// their visibility is probed.
-pub fn collect(probed: bool) -> Program {
+pub fn collect(target: Target, probed: bool) -> Program {
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
-    let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, signature, &COLLECT];
-    Program { label: "collection", modules }
+    let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, signature, &COLLECT];
+    Program::new("collection", modules)
 }
 
 /// Interleaved sampling: what the pixels around have gathered.
-pub fn combine() -> Program {
-    let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &ONE_SURFACE, &COMBINE];
-    Program { label: "combination", modules }
+pub fn combine(target: Target) -> Program {
+    let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, &ONE_SURFACE, &COMBINE];
+    Program::new("combination", modules)
 }
 
 /// Whose row of the bit matrix a point reads.
@@ -197,32 +240,46 @@ pub enum Sharing {
 /// Shading of points by lights.
 pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) -> Program {
     let bound = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
-    let mut modules = vec![&TYPES, &LOBES_DIFFUSE, bound, emitter.module(), &GATHER];
+    let mut modules = [&[&TYPES, vpl(target)][..], &lobes(target)].concat();
+    modules.extend([bound, emitter.module(), &GATHER]);
     match sharing {
         Sharing::Own => modules.extend([&SEEN_HARD, &ROW_POINT]),
         Sharing::Cluster => modules.extend([&SEEN_HARD, &ROW_CLUSTER]),
         Sharing::Fuzzy => modules.push(&SEEN_FUZZY),
     }
-    modules.push(if target.subgroups { &SHADE_COOPERATIVE } else { &SHADE });
-    Program { label: "shading", modules }
+    let glossy = target.features.phong;
+    modules.push(if glossy { &PAIR_GLOSSY } else { &PAIR_DIFFUSE });
+    modules.push(match target.subgroups {
+        true if glossy => &SHADE_GLOSSY,
+        true => &SHADE_COOPERATIVE,
+        false => &SHADE,
+    });
+    Program::new("shading", modules)
 }
 
 /// Emission towards the camera.
 pub fn emit(target: Target) -> Program {
     let glow = surfaces::glow(target.features);
-    Program { label: "emission", modules: vec![&TYPES, glow, &EMIT] }
+    Program::new("emission", vec![&TYPES, &THROUGHPUT_NONE, glow, &EMIT])
 }
 
-/// Irradiance to reflected radiance.
+/// What visible points have gathered to reflected radiance.
 pub fn reflect(target: Target) -> Program {
     let albedo = surfaces::albedo(target.features);
-    Program { label: "reflection", modules: vec![&TYPES, &LOBES_DIFFUSE, albedo, &REFLECT] }
+    let modules = [&[&TYPES][..], &lobes(target), &[albedo, &REFLECT]].concat();
+    Program::new("reflection", modules)
 }
 
 /// What the clamp removed.
 pub fn removed(target: Target) -> Program {
     let albedo = surfaces::albedo(target.features);
-    Program { label: "clamped energy", modules: vec![&TYPES, albedo, &REMOVED] }
+    let modules = [&[&TYPES][..], &lobes(target), &[albedo, &REMOVED]].concat();
+    Program::new("clamped energy", modules)
+}
+
+/// Radiance of visible points to the film, through mirrors and glass.
+pub fn resolve(target: Target) -> Program {
+    Program::new("throughput", vec![&TYPES, throughput(target), &RESOLVE])
 }
 
 /// The picture of a method without light; none for the others.
@@ -236,7 +293,7 @@ pub fn show(target: Target, method: Method) -> Option<Program> {
     let mut modules = vec![&TYPES];
     modules.extend((method == Method::Albedo).then(|| surfaces::albedo(target.features)));
     modules.push(module);
-    Some(Program { label, modules })
+    Some(Program::new(label, modules))
 }
 
 /// The programs that a scene and settings need: the one list of what is linked.
@@ -244,13 +301,16 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     if settings.method == Method::Path {
         return path::needed(prepared, settings);
     }
-    let target = prepared.target();
+    let target = prepared.target_of(settings);
     let mut programs = vec![visible_points(target)];
     programs.extend(show(target, settings.method));
     if !settings.method.is_lit() {
         return programs;
     }
-    programs.extend(settings.antialiases().then(|| antialias(target)));
+    match settings.antialiases() {
+        true => programs.push(antialias(target)),
+        false => programs.extend(target.features.specular().then(|| resolve(target))),
+    }
     if prepared.lights.count(LightKind::Area) > 0 {
         programs.push(emit(target));
     }
@@ -279,7 +339,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         programs.extend(bounded.then(|| removed(target)));
         programs.extend(settings.shares_columns().then(expand));
         if settings.interleaves() {
-            programs.extend([separate(), collect(settings.probes()), combine()]);
+            programs.extend([separate(), collect(target, settings.probes()), combine(target)]);
         }
     }
     programs
@@ -328,15 +388,15 @@ impl Kernels {
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![expand()];
-    programs.extend([separate(), collect(false), collect(true), combine()]);
+    let mut programs = vec![expand(), separate()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays];
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
-        programs.extend([visible_points(target), antialias(target)]);
-        programs.extend([emit(target), reflect(target), removed(target)]);
+        programs.extend([visible_points(target), antialias(target), resolve(target)]);
+        programs.extend([emit(target), reflect(target), removed(target), combine(target)]);
+        programs.extend([false, true].map(|probed| collect(target, probed)));
         let shown = [Method::Normal, Method::Depth, Method::Albedo];
         programs.extend(shown.into_iter().filter_map(|method| show(target, method)));
         for kind in LightKind::ALL {

@@ -162,9 +162,9 @@ impl Lights {
             // L cos θ over the pdf of light and position, of which there are `count`.
             let intensity = radiance * glow * (light.area / (light.probability * count as f32));
             let position = corner + edge1 * b + edge2 * c;
-            lights.push(VirtualLight { position, normal, intensity });
+            lights.push(VirtualLight::diffuse(position, normal, intensity));
             if light.two_sided != 0 {
-                lights.push(VirtualLight { position, normal: -normal, intensity });
+                lights.push(VirtualLight::diffuse(position, -normal, intensity));
             }
         }
         lights
@@ -172,10 +172,9 @@ impl Lights {
 
     /// The point lights, as lights without a surface.
     pub fn points(&self) -> Vec<VirtualLight> {
-        let light = |light: &PointLightRecord| VirtualLight {
-            position: Vec3::from_array(light.position),
-            normal: Vec3::ZERO,
-            intensity: Vec3::from_array(light.intensity),
+        let light = |light: &PointLightRecord| {
+            let [position, intensity] = [light.position, light.intensity].map(Vec3::from_array);
+            VirtualLight::diffuse(position, Vec3::ZERO, intensity)
         };
         self.point.iter().map(light).collect()
     }

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Direct, Features, LightKind, Prepared, Settings, kernels};
+use super::{Direct, Features, LightKind, Prepared, Settings, Target, kernels};
 use crate::gpu::{Bindings, CameraParams, Gpu, GpuError, Kernel, Pass, PointRecord, Program};
 
 /// A kernel with its buffers bound, and the buffer of its parameters.
@@ -26,7 +26,8 @@ pub struct Buffers {
     pub kept: Vec<Kept>,
     /// Irradiance of the kind of light being gathered.
     pub irradiance: Option<wgpu::Buffer>,
-    /// Radiance of the visible points of a sample, where edges are antialiased.
+    /// Radiance of the visible points of a sample, where edges are antialiased, or mirrors or glass
+    /// may be in the way.
     pub radiance: Option<wgpu::Buffer>,
     /// Indirect radiance that was reflected and that the clamp removed.
     pub energy: Option<wgpu::Buffer>,
@@ -44,7 +45,11 @@ pub type Kept = (&'static str, wgpu::Buffer);
 /// # Errors
 /// The device refuses.
 pub fn keep(gpu: &Gpu, features: Features, points: usize) -> Result<Vec<Kept>, GpuError> {
-    let names = [("albedos", features.textures), ("glows", features.glows)];
+    let names = [
+        ("albedos", features.textures),
+        ("glows", features.glows),
+        ("throughputs", features.specular()),
+    ];
     let asked = names.into_iter().filter(|(_, is)| *is);
     asked.map(|(name, _)| Ok((name, gpu.storage::<[f32; 4]>(name, points)?))).collect()
 }
@@ -56,15 +61,19 @@ impl Buffers {
         gathers: bool,
         clamps: bool,
         edges: bool,
+        target: Target,
     ) -> Result<Self, GpuError> {
+        let specular = target.features.specular();
         let gpu = &prepared.gpu;
         let colours = |label: &str| gpu.storage::<[f32; 4]>(label, points);
         Ok(Self {
             film: colours("film")?,
             points: gpu.storage::<PointRecord>("visible points", points)?,
-            kept: keep(gpu, prepared.features, points)?,
-            irradiance: gathers.then(|| colours("irradiance")).transpose()?,
-            radiance: edges.then(|| colours("radiance")).transpose()?,
+            kept: keep(gpu, target.features, points)?,
+            irradiance: gathers
+                .then(|| gpu.storage::<[f32; 4]>("irradiance", points * target.lobes()))
+                .transpose()?,
+            radiance: (edges || specular).then(|| colours("radiance")).transpose()?,
             energy: clamps.then(|| gpu.storage::<[f32; 2]>("energy", points)).transpose()?,
         })
     }
@@ -89,6 +98,8 @@ pub struct Stages {
     pub visible: Stage,
     /// More camera rays where pixels see edges.
     pub antialias: Option<Stage>,
+    /// Radiance through mirrors and glass, where edges aren't antialiased.
+    pub resolve: Option<Stage>,
     /// The picture of a method without light.
     pub show: Option<Stage>,
     /// Emission towards the camera.
@@ -119,7 +130,8 @@ impl Stages {
         let shared = lit && settings.direct == Direct::Clustered;
         let gathers = direct || shared || indirect;
         let edges = settings.antialiases();
-        let buffers = Buffers::new(prepared, points, gathers, clamps, edges)?;
+        let target = prepared.target_of(settings);
+        let buffers = Buffers::new(prepared, points, gathers, clamps, edges, target)?;
         let on_film = buffers.named(prepared);
         // The first buffer of a name counts.
         let mut named = Vec::new();
@@ -132,12 +144,14 @@ impl Stages {
             Ok((*kind, Stage::new(prepared, &kernels::direct_for(prepared, *kind), &named)?))
         };
         let tables = if direct { &prepared.light_tables[..] } else { &[] };
-        let target = prepared.target();
         let areas = prepared.lights.count(LightKind::Area) > 0;
         Ok(Self {
             visible: Stage::new(prepared, &kernels::visible_points(target), &on_film)?,
             antialias: edges
                 .then(|| Stage::new(prepared, &kernels::antialias(target), &on_film))
+                .transpose()?,
+            resolve: (target.features.specular() && !edges)
+                .then(|| Stage::new(prepared, &kernels::resolve(target), &on_film))
                 .transpose()?,
             show: kernels::show(target, settings.method).map(bind).transpose()?,
             emit: when(lit && areas, kernels::emit(target))?,

@@ -1,10 +1,12 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, camera_rays, emit, kept, surfaces};
+use super::{Prepared, camera_rays, follow, kept, surfaces, view};
 use crate::gpu::module::{
-    AREA_LIGHT, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA,
-    PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM,
-    PATH_SEGMENT, PATH_STATE, PATH_SUM, POINT_LIGHT, ROULETTE, SAMPLING, SCATTER_DIFFUSE, TYPES,
+    AREA_LIGHT, CHOOSE_LIGHT, EMIT, FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS,
+    NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT,
+    PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM, PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG,
+    POINT_LIGHT, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, THROUGHPUT_NONE,
+    THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, LightKind, Settings, Target};
@@ -12,15 +14,32 @@ use crate::render::{Bounces, Direct, LightKind, Settings, Target};
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
     let mut modules = camera_rays(target, &kept(target.features));
-    modules.extend([&PATH_STATE, &PATH_CAMERA]);
-    Program { label: "paths, camera", modules }
+    modules.extend([view(target), &PATH_STATE, &PATH_CAMERA]);
+    Program::new("paths, camera", modules)
 }
 
 fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let (first, rays) = ([&TYPES, &SAMPLING], surfaces::rays(target));
-    let albedo = surfaces::albedo(target.features);
-    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, albedo, &SCATTER_DIFFUSE];
-    [&first[..], &rays, &path, last].concat()
+    let (first, rays) = ([&TYPES, &SAMPLING, &HEMISPHERE], surfaces::rays(target));
+    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, surfaces::albedo(target.features)];
+    [&first[..], &rays, &path, &scatter(target), last].concat()
+}
+
+/// How surfaces scatter light.
+fn scatter(target: Target) -> Vec<&'static Module> {
+    match target.features.phong {
+        true => vec![&GATHERED_PHONG, &VIEW_KEPT, &FINISH, &PHONG, &LOBES_PHONG, &SCATTER_PHONG],
+        false => vec![&VIEW_NONE, &SCATTER_DIFFUSE],
+    }
+}
+
+/// What paths see that is emitted towards the camera.
+pub fn emit(target: Target) -> Program {
+    let glow = surfaces::glow(target.features);
+    let modules = match target.features.specular() {
+        true => vec![&TYPES, &PATH_STATE, &THROUGHPUT_PATH, glow, &EMIT],
+        false => vec![&TYPES, &THROUGHPUT_NONE, glow, &EMIT],
+    };
+    Program::new("emission", modules)
 }
 
 /// Shadow rays to the lights of a kind.
@@ -35,13 +54,14 @@ pub fn next_event(target: Target, kind: LightKind) -> Program {
             ("paths, area lights", last)
         }
     };
-    Program { label, modules: vertex(target, &last) }
+    Program::new(label, vertex(target, &last))
 }
 
 /// The next segment of paths, in a scene with or without area lights.
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
-    let mut last = vec![&HIT_POINT, survival];
+    let mut last = follow(target);
+    last.push(survival);
     last.push(surfaces::glow(target.features));
     last.extend(surfaces::keep(target.features));
     match areas {
@@ -49,22 +69,22 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
         false => last.push(&PATH_NO_EMISSION),
     }
     last.push(&PATH_SEGMENT);
-    Program { label: "paths, segment", modules: vertex(target, &last) }
+    Program::new("paths, segment", vertex(target, &last))
 }
 
 /// How many paths go on.
 pub fn count() -> Program {
-    Program { label: "paths, count", modules: vec![&TYPES, &PATH, &PATH_COUNT] }
+    Program::new("paths, count", vec![&TYPES, &PATH, &PATH_COUNT])
 }
 
 /// The queue of those that do.
 pub fn compact() -> Program {
-    Program { label: "paths, queue", modules: vec![&TYPES, &PATH, &PATH_COMPACT] }
+    Program::new("paths, queue", vec![&TYPES, &PATH, &PATH_COMPACT])
 }
 
 /// Mean and spread of the samples of pixels.
 pub fn sum() -> Program {
-    Program { label: "paths, sum", modules: vec![&PATH, &PATH_SUM] }
+    Program::new("paths, sum", vec![&PATH, &PATH_SUM])
 }
 
 /// Whether paths have a vertex where they seek light straight from its source.
@@ -93,7 +113,7 @@ pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
 
 /// Every program of paths that traces rays.
 pub(super) fn all(target: Target) -> Vec<Program> {
-    let mut programs = vec![camera(target)];
+    let mut programs = vec![camera(target), emit(target)];
     programs.extend(LightKind::ALL.map(|kind| next_event(target, kind)));
     for areas in [false, true] {
         let kinds = [Bounces::Finite(1), Bounces::Unlimited];

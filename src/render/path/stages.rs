@@ -1,7 +1,7 @@
 //! The passes of paths, with the buffers of a wave bound to them.
 
 use crate::gpu::{CameraParams, GpuError, PathParams, PathRecord, PathSum, PointRecord, Program};
-use crate::render::kernels::{self, path as programs};
+use crate::render::kernels::path as programs;
 use crate::render::stages::{Named, Stage, keep};
 use crate::render::{LightKind, Prepared, Settings};
 
@@ -89,7 +89,7 @@ impl Stages {
             }
         }
         let areas = prepared.lights.count(LightKind::Area) > 0;
-        let emit = areas.then(|| bind(kernels::emit(target))).transpose()?;
+        let emit = areas.then(|| bind(programs::emit(target))).transpose()?;
         let segment = programs::has_segments(settings, areas)
             .then(|| bind(programs::segment(target, settings.bounces, areas)));
         Ok(Self {
