@@ -12,8 +12,8 @@ struct Texture {
 }
 
 // Texture.wrap: the image again; the image mirrored. Else its border.
-const REPEAT = 0u;
-const MIRRORED = 1u;
+const WRAP_REPEAT = 0u;
+const WRAP_MIRRORED = 1u;
 
 // Of all textures: red, green, blue in sRGB and alpha, a byte each.
 @group(0) @binding(40) var<storage, read> texels: array<u32>;
@@ -28,16 +28,16 @@ struct Neighbours {
 
 fn inside_image(at: f32, size: u32, wrap: u32) -> u32 {
     let last = f32(size) - 1.0;
-    if wrap == REPEAT && at < 0.0 { return size - 1u; }
-    if wrap == REPEAT && at > last { return 0u; }
+    if wrap == WRAP_REPEAT && at < 0.0 { return size - 1u; }
+    if wrap == WRAP_REPEAT && at > last { return 0u; }
     return u32(clamp(at, 0.0, last));
 }
 
 fn neighbours(at: f32, size: u32, wrap: u32) -> Neighbours {
     // Folded before it is scaled: large coordinates stay inside.
     var folded = at;
-    if wrap == REPEAT { folded = at - floor(at); }
-    if wrap == MIRRORED { folded = 1.0 - abs(at - 2.0 * floor(0.5 * at) - 1.0); }
+    if wrap == WRAP_REPEAT { folded = at - floor(at); }
+    if wrap == WRAP_MIRRORED { folded = 1.0 - abs(at - 2.0 * floor(0.5 * at) - 1.0); }
     let place = clamp(folded, 0.0, 1.0) * f32(size) - 0.5;
     let first = floor(place);
     return Neighbours(

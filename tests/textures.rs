@@ -330,7 +330,7 @@ fn holey_scene(rng: &mut Rng, cut: bool) -> Scene {
         let [corner, across, down] =
             [rng.cube(), 0.8 * rng.direction(), 0.8 * rng.direction()].map(|v| v.as_dvec3());
         build.textured(materials[usize::from(i % 4 > 0)], corner, across, down);
-        let (center, radius) = (0.8 * rng.cube().as_dvec3(), f64::from(0.2 * rng.unit()));
+        let (center, radius) = (0.8 * rng.cube().as_dvec3(), f64::from(0.5 * rng.unit()));
         build.sphere(materials[usize::from(i % 4 > 0)], center, radius);
     }
     build.point_light(DVec3::Z, [1.0; 3]);
@@ -408,7 +408,7 @@ fn lamps_that_vary() {
         match textured {
             true => {
                 let lamp = build.material([0.0; 3], [8.0; 3], false);
-                let second = if hole { [0, 0, 0, 0] } else { [128, 128, 128, 255] };
+                let second = if hole { [255, 255, 255, 0] } else { [128, 128, 128, 255] };
                 let rgba = (0..64).map(|i| if i < 32 { [255; 4] } else { second });
                 let texture = build.texture(64, rgba.collect());
                 let material = &mut build.draft.materials[lamp as usize];

@@ -10,7 +10,7 @@ use super::console;
 use crate::error::{Error, OutputError};
 use crate::gpu::{self, AdapterDescription, Gpu};
 use crate::render::{Prepared, Settings};
-use crate::scene::{BUILTIN_SCENES, Scene, Units};
+use crate::scene::{BUILTIN_SCENES, Scene, Sphere, Units};
 
 /// The options of `info`.
 #[derive(Debug, Args)]
@@ -51,8 +51,10 @@ struct SceneInfo {
     materials: usize,
     point_lights: usize,
     emitting_triangles: usize,
+    spheres: usize,
+    textures: usize,
     dropped_triangles: u64,
-    /// Corners of the box around all triangles, in the file's units.
+    /// Corners of the box around all triangles and spheres, in the file's units.
     bounds: Option<[[f64; 3]; 2]>,
     camera: CameraInfo,
     /// Features of the renderer that this scene does without; null without an adapter.
@@ -114,6 +116,8 @@ fn describe(scene: Scene, gpu: Option<Gpu>) -> SceneInfo {
         materials: scene.materials.len(),
         point_lights: scene.point_lights.len(),
         emitting_triangles: scene.emitters().count(),
+        spheres: scene.spheres.len(),
+        textures: scene.textures.len(),
         dropped_triangles: scene.dropped_triangles,
         bounds: bounds(&scene).map(|bounds| bounds.map(|corner| corner.to_array())),
         camera: CameraInfo {
@@ -133,7 +137,9 @@ fn describe(scene: Scene, gpu: Option<Gpu>) -> SceneInfo {
 
 fn bounds(scene: &Scene) -> Option<[DVec3; 2]> {
     let corners = scene.triangles.iter().flat_map(|triangle| triangle.vertices);
+    let extremes = |sphere: &Sphere| [sphere.center - sphere.radius, sphere.center + sphere.radius];
     corners
+        .chain(scene.spheres.iter().flat_map(extremes))
         .map(|corner| [to_file_units(scene.units, corner); 2])
         .reduce(|[low, high], [corner, _]| [low.min(corner), high.max(corner)])
 }
@@ -190,6 +196,8 @@ fn scene_in_words(text: &mut String, scene: &SceneInfo) -> std::fmt::Result {
     writeln!(text, "  materials          {}", scene.materials)?;
     writeln!(text, "  point lights       {}", scene.point_lights)?;
     writeln!(text, "  emitting triangles {}", scene.emitting_triangles)?;
+    writeln!(text, "  spheres            {}", scene.spheres)?;
+    writeln!(text, "  textures           {}", scene.textures)?;
     if let Some([low, high]) = scene.bounds.map(|corners| corners.map(point)) {
         writeln!(text, "  bounds             {low} to {high}")?;
     }

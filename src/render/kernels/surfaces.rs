@@ -51,7 +51,7 @@ pub fn glow(features: Features) -> &'static Module {
 /// What the radiance of area lights is multiplied by.
 pub fn light_glow(features: Features) -> Vec<&'static Module> {
     match features.glows {
-        true => [&more_textures(features)[..], &[&LIGHT_TEXTURED]].concat(),
+        true => [&textures(features)[..], &[&LIGHT_TEXTURED]].concat(),
         false => vec![&LIGHT_PLAIN],
     }
 }
@@ -60,7 +60,7 @@ pub fn light_glow(features: Features) -> Vec<&'static Module> {
 pub fn keep(features: Features) -> Vec<&'static Module> {
     let mut modules = Vec::new();
     if features.textures || features.glows {
-        modules.extend(more_textures(features).into_iter().chain([&MATERIAL_TEXTURES]));
+        modules.extend(textures(features).into_iter().chain([&MATERIAL_TEXTURES]));
     }
     modules.push(if features.textures { &KEEP_ALBEDO } else { &KEEP_ALBEDO_NONE });
     modules.push(if features.glows { &KEEP_GLOW } else { &KEEP_GLOW_NONE });
@@ -71,11 +71,6 @@ pub fn keep(features: Features) -> Vec<&'static Module> {
 pub fn kept(features: Features) -> Vec<&'static Module> {
     let buffers = [(features.textures, albedo(features)), (features.glows, glow(features))];
     buffers.into_iter().filter_map(|(is, module)| is.then_some(module)).collect()
-}
-
-/// Textures, unless they are there for holes.
-fn more_textures(features: Features) -> Vec<&'static Module> {
-    if features.cutouts { Vec::new() } else { textures(features) }
 }
 
 fn textures(features: Features) -> Vec<&'static Module> {
