@@ -17,9 +17,10 @@ pub use adapter::{AdapterChoice, AdapterDescription, AdapterInfo, adapters};
 pub use error::GpuError;
 pub use kernel::Kernel;
 pub use layout::{
-    AreaLightRecord, CameraParams, DirectParams, ExpandParams, InterleaveParams, MaterialRecord,
-    NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams,
-    TriangleRecord, VisibilityParams, VplRecord,
+    AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
+    InterleaveParams, MaterialRecord, NodeRecord, PathParams, PathRecord, PathSum,
+    PointLightRecord, PointRecord, ShadeParams, SpotLightRecord, TriangleRecord, VisibilityParams,
+    VplRecord,
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};

@@ -56,15 +56,33 @@ pub fn uniform_sphere(u: [f32; 2]) -> Vec3 {
 
 /// A direction about `normal` (of unit length); pdf cos θ / π.
 pub fn cosine_hemisphere(normal: Vec3, u: [f32; 2]) -> Vec3 {
-    let r = u[0].sqrt();
+    (uniform_disk(normal, u) + normal * (1.0 - u[0]).max(0.0).sqrt()).normalize()
+}
+
+/// A place on the disc of radius 1 about the origin, across `normal` (of unit length); pdf 1 / π.
+pub fn uniform_disk(normal: Vec3, u: [f32; 2]) -> Vec3 {
     let (sin, cos) = turn(u[1]);
-    // Frame of Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017.
+    across(normal, u[0].sqrt() * cos, u[0].sqrt() * sin)
+}
+
+/// A direction within a cone about `axis` (of unit length), 1 minus the cosine of whose angle is
+/// `width`; pdf 1 / (2π width).
+pub fn uniform_cone(axis: Vec3, width: f32, u: [f32; 2]) -> Vec3 {
+    let fall = u[0] * width;
+    let r = (fall * (2.0 - fall)).max(0.0).sqrt();
+    let (sin, cos) = turn(u[1]);
+    (across(axis, r * cos, r * sin) + axis * (1.0 - fall)).normalize()
+}
+
+/// The vector across `normal` that has these coordinates in the frame of Duff et al., "Building an
+/// Orthonormal Basis, Revisited", JCGT 2017.
+fn across(normal: Vec3, x: f32, y: f32) -> Vec3 {
     let sign = 1.0f32.copysign(normal.z);
     let a = -1.0 / (sign + normal.z);
     let b = normal.x * normal.y * a;
-    let x = Vec3::new(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
-    let y = Vec3::new(b, sign + normal.y * normal.y * a, -normal.y);
-    (x * (r * cos) + y * (r * sin) + normal * (1.0 - u[0]).max(0.0).sqrt()).normalize()
+    let x_axis = Vec3::new(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
+    let y_axis = Vec3::new(b, sign + normal.y * normal.y * a, -normal.y);
+    x_axis * x + y_axis * y
 }
 
 /// Weights of a triangle's second and third corner, uniform over its area.
@@ -100,16 +118,24 @@ mod tests {
         let sequence = Sequence::new(1);
         let normal = Vec3::new(0.36, -0.48, -0.8);
         let n = 4096u16;
-        let (mut sphere, mut cosine) = (Vec3::ZERO, 0.0);
+        let (mut sphere, mut cosine, mut cone, mut disk) = (Vec3::ZERO, 0.0, 0.0, 0.0);
         for i in 0..u32::from(n) {
             let u = [sequence.sample(i, 0), sequence.sample(i, 1)];
             sphere += uniform_sphere(u) / f32::from(n);
             let w = cosine_hemisphere(normal, u);
             assert!((w.length() - 1.0).abs() < 1e-5 && w.dot(normal) > -1e-6);
             cosine += w.dot(normal) / f32::from(n);
+            let w = uniform_cone(normal, 0.3, u);
+            assert!((w.length() - 1.0).abs() < 1e-5 && w.dot(normal) > 0.7 - 1e-6);
+            cone += w.dot(normal) / f32::from(n);
+            let p = uniform_disk(normal, u);
+            assert!(p.length() <= 1.0 + 1e-5 && p.dot(normal).abs() < 1e-6);
+            disk += p.length() / f32::from(n);
         }
         assert!(sphere.length() < 1e-3, "mean direction {sphere}");
         assert!((cosine - 2.0 / 3.0).abs() < 1e-3, "mean cosine {cosine}");
+        assert!((cone - 0.85).abs() < 1e-3, "mean cosine in a cone {cone}");
+        assert!((disk - 2.0 / 3.0).abs() < 1e-3, "mean radius in a disk {disk}");
     }
 
     #[test]

@@ -7,9 +7,10 @@ use std::collections::BTreeMap;
 use std::mem::offset_of;
 
 use gpu_vpl::gpu::{
-    AreaLightRecord, CameraParams, DirectParams, ExpandParams, InterleaveParams, MaterialRecord,
-    NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams,
-    TriangleRecord, VisibilityParams, VplRecord,
+    AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
+    InterleaveParams, MaterialRecord, NodeRecord, PathParams, PathRecord, PathSum,
+    PointLightRecord, PointRecord, ShadeParams, SpotLightRecord, TriangleRecord, VisibilityParams,
+    VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};
@@ -78,6 +79,12 @@ fn records() -> Vec<Record> {
         record!(PointRecord as "Point" { position, surface, normal, depth }),
         record!(VplRecord as "Vpl" { position, pad0, normal, pad1, intensity, mean }),
         record!(PointLightRecord as "PointLight" { position, before, intensity, probability }),
+        record!(SpotLightRecord as "SpotLight" {
+            position, before, intensity, probability, axis, cos_outer, slope, pad,
+        }),
+        record!(DirectionalLightRecord as "DirectionalLight" {
+            toward, before, irradiance, probability,
+        }),
         record!(AreaLightRecord as "AreaLight" {
             corner, before, edge1, probability, edge2, two_sided, normal, area, radiance, pad,
         }),
@@ -159,7 +166,7 @@ fn all_modules() -> Vec<naga::Module> {
 #[test]
 fn host_records_are_laid_out_as_naga_does() {
     let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
-    assert_eq!(compared.len(), 16, "{compared:?}");
+    assert_eq!(compared.len(), 18, "{compared:?}");
 }
 
 #[test]

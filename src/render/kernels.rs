@@ -7,12 +7,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::{Clamp, Direct, LightKind, Method, Prepared, Settings, Target};
 use crate::gpu::module::{
     ALBEDO_PLAIN, ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT,
-    DIRECT_AREA, DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE,
-    EXPAND, GATHER, HIT_POINT, INTERLEAVED, LOBES_DIFFUSE, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT,
-    PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, ROW_CLUSTER,
-    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO,
-    SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, TRAVERSE, TRAVERSE_PACKET, TYPES,
-    VISIBILITY, VISIBILITY_PACKET, VISIBLE,
+    DIRECT_EXACT, DIRECT_SAMPLED, DIRECTIONAL_LIGHT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT,
+    EMITTER_SURFACE, EXPAND, GATHER, HIT_POINT, INTERLEAVED, LIGHT_SAMPLE, LOBES_DIFFUSE,
+    LOCAL_LIGHT, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS,
+    POINT_LIGHT, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD,
+    SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE,
+    SIGNATURE_PROBED, SPOT_LIGHT, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET,
+    VISIBLE,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -37,20 +38,30 @@ fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module>
     [&first[..], last].concat()
 }
 
-/// Direct light from the lights of a kind. From many area lights, those that give much are sought
-/// out.
+/// What a kernel needs to draw from the lights of a kind.
+fn lights_of(kind: LightKind) -> Vec<&'static Module> {
+    match kind {
+        LightKind::Point => vec![&LIGHT_SAMPLE, &POINT_LIGHT, &LOCAL_LIGHT],
+        LightKind::Spot => vec![&LIGHT_SAMPLE, &SPOT_LIGHT, &LOCAL_LIGHT],
+        LightKind::Directional => vec![&LIGHT_SAMPLE, &DIRECTIONAL_LIGHT],
+        LightKind::Area => vec![&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT],
+    }
+}
+
+/// Direct light from the lights of a kind. From many lights of some extent, those that give much
+/// are sought out.
 pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING, &LOBES_DIFFUSE, &RAY, traverse(target), &DIRECT];
+    modules.extend(lights_of(kind));
+    match kind.is_exact() {
+        true => modules.push(&DIRECT_EXACT),
+        false => modules.extend([if many { &DRAW_RESAMPLED } else { &DRAW_ONE }, &DIRECT_SAMPLED]),
+    }
     let label = match kind {
-        LightKind::Point => {
-            modules.extend([&POINT_LIGHT, &DIRECT_POINT]);
-            "direct light, points"
-        }
-        LightKind::Area => {
-            let draw = if many { &DRAW_RESAMPLED } else { &DRAW_ONE };
-            modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, draw, &DIRECT_AREA]);
-            "direct light, areas"
-        }
+        LightKind::Point => "direct light, points",
+        LightKind::Spot => "direct light, spots",
+        LightKind::Directional => "direct light, directional",
+        LightKind::Area => "direct light, areas",
     };
     Program { label, modules }
 }
@@ -108,11 +119,12 @@ pub enum Emitter {
 }
 
 impl Emitter {
-    /// What the lights of a kind are gathered as.
-    pub fn of(kind: LightKind) -> Self {
+    /// What the lights of a kind are gathered as, if they can be.
+    pub fn of(kind: LightKind) -> Option<Self> {
         match kind {
-            LightKind::Point => Self::Point,
-            LightKind::Area => Self::Surface,
+            LightKind::Point => Some(Self::Point),
+            LightKind::Area => Some(Self::Surface),
+            LightKind::Spot | LightKind::Directional => None,
         }
     }
 
@@ -234,19 +246,17 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         programs.push(emit());
     }
     let kinds = || prepared.lights.kinds();
-    match settings.direct {
-        Direct::PerPixel => {
-            programs.extend(kinds().map(|kind| direct_for(prepared, kind)));
-            programs.push(reflect());
-        }
-        Direct::Clustered => {
-            for emitter in kinds().map(Emitter::of) {
-                let shade = shade(target, false, settings.sharing(), emitter);
-                programs.extend([visibility_for(prepared, emitter), shade]);
+    if settings.direct != Direct::Off {
+        for kind in kinds() {
+            match Emitter::of(kind).filter(|_| settings.direct == Direct::Clustered) {
+                Some(emitter) => {
+                    let shade = shade(target, false, settings.sharing(), emitter);
+                    programs.extend([visibility_for(prepared, emitter), shade]);
+                }
+                None => programs.push(direct_for(prepared, kind)),
             }
-            programs.push(reflect());
         }
-        Direct::Off => {}
+        programs.push(reflect());
     }
     if settings.traces_light_paths() {
         let bounded = settings.clamp != Clamp::Off;

@@ -102,9 +102,8 @@ impl Stages {
         clamps: bool,
     ) -> Result<Self, GpuError> {
         let lit = settings.method.is_lit();
-        let direct = lit && settings.direct == Direct::PerPixel;
-        let shared = lit && settings.direct == Direct::Clustered;
-        let gathers = direct || shared || indirect;
+        let direct = lit && settings.direct != Direct::Off;
+        let gathers = direct || indirect;
         let edges = settings.antialiases();
         let buffers = Buffers::new(&prepared.gpu, points, gathers, clamps, edges)?;
         let on_film = buffers.named(prepared);
@@ -118,7 +117,11 @@ impl Stages {
             let named = [&named[..], &[("lights", table)]].concat();
             Ok((*kind, Stage::new(prepared, &kernels::direct_for(prepared, *kind), &named)?))
         };
-        let tables = if direct { &prepared.light_tables[..] } else { &[] };
+        // Clusters share the visibility of lights that have places; the others are exact.
+        let per_pixel = |kind: LightKind| {
+            direct && !(settings.direct == Direct::Clustered && kind.has_places())
+        };
+        let tables = prepared.light_tables.iter().filter(|(kind, _)| per_pixel(*kind));
         let target = prepared.target();
         let areas = prepared.lights.count(LightKind::Area) > 0;
         Ok(Self {
@@ -128,7 +131,7 @@ impl Stages {
                 .transpose()?,
             show: kernels::show(settings.method).map(bind).transpose()?,
             emit: when(lit && areas, kernels::emit())?,
-            direct: tables.iter().map(with_lights).collect::<Result<_, GpuError>>()?,
+            direct: tables.map(with_lights).collect::<Result<_, GpuError>>()?,
             reflect: when(gathers, kernels::reflect())?,
             removed: when(clamps, kernels::removed())?,
             buffers,

@@ -1,10 +1,10 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, emit, traverse};
+use super::{Prepared, emit, lights_of, traverse};
 use crate::gpu::module::{
-    ALBEDO_PLAIN, AREA_LIGHT, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_AREA,
-    PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT, PATH_NO_EMISSION, PATH_POINT,
-    PATH_RANDOM, PATH_SEGMENT, PATH_STATE, PATH_SUM, PIXELS, POINT_LIGHT, RAY, ROULETTE, SAMPLING,
+    ALBEDO_PLAIN, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_CAMERA,
+    PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_EXACT, PATH_LIGHT, PATH_NO_EMISSION, PATH_RANDOM,
+    PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, PIXELS, RAY, ROULETTE, SAMPLING,
     SCATTER_DIFFUSE, TYPES,
 };
 use crate::gpu::{Module, Program};
@@ -34,15 +34,18 @@ fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
 
 /// Shadow rays to the lights of a kind.
 pub fn next_event(target: Target, kind: LightKind) -> Program {
-    let (label, last): (_, &[&Module]) = match kind {
-        LightKind::Point => {
-            ("paths, point lights", &[&POINT_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_POINT])
-        }
-        LightKind::Area => {
-            ("paths, area lights", &[&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA])
-        }
+    let mut last = lights_of(kind);
+    match kind.is_exact() {
+        true => last.extend([&CHOOSE_LIGHT, &PATH_LIGHT, &PATH_EXACT]),
+        false => last.extend([&PATH_LIGHT, &MIS, &PATH_SAMPLED]),
+    }
+    let label = match kind {
+        LightKind::Point => "paths, point lights",
+        LightKind::Spot => "paths, spot lights",
+        LightKind::Directional => "paths, directional lights",
+        LightKind::Area => "paths, area lights",
     };
-    Program { label, modules: vertex(target, last) }
+    Program { label, modules: vertex(target, &last) }
 }
 
 /// The next segment of paths, in a scene with or without area lights.
