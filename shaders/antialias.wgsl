@@ -33,6 +33,8 @@ fn main(
     let point = points[own];
     let is = id.x == own && pixel.x < params.width && pixel.y < params.height;
     var edge = false;
+    let own_throughput = kept_throughput(own);
+    if own_throughput.w > 0.0 { edge = true; }
     for (var i = 0u; i < 9u; i++) { edge = edge || !alike(point, points[around(pixel, own, i)]); }
 
     var sum = vec3f(0.0);
@@ -43,8 +45,11 @@ fn main(
     for (var ray = params.first_ray; ray < params.first_ray + rays; ray++) {
         let index = ray * params.samples + params.sample;
         let direction = camera_direction(pixel, stratified(index, 1.0 / f32(all), stream));
-        let hit = traverse(params.position, direction, limit, params.nodes, false, invocation);
-        let seen = hit_point(hit, direction);
+        let sight = follow(
+            params.position, direction, limit, params.nodes, params.offset, index, stream,
+            invocation,
+        );
+        let seen = hit_point(sight.hit, sight.direction);
         // The nearest on the same surface; if there is none, the nearest of all.
         var best = own;
         var least = HUGE;
@@ -57,9 +62,9 @@ fn main(
             best = select(best, index, distance < least);
             least = min(least, distance);
         }
-        sum += radiance[best].rgb;
+        sum += radiance[best].rgb * throughput_of(sight);
     }
     let share = f32(params.rays) / f32(params.edge_rays);
-    let result = select(radiance[own].rgb * share, sum / f32(params.edge_rays), edge);
+    let result = select(radiance[own].rgb * own_throughput.rgb * share, sum / f32(params.edge_rays), edge);
     if is { film[own] += vec4f(result, 0.0); }
 }

@@ -16,7 +16,8 @@ struct CameraParams {
     first_ray: u32,
     rays: u32,
     edge_rays: u32,
-    pad: u32,
+    // By which rays that go on are kept off surfaces.
+    offset: f32,
 }
 
 @group(0) @binding(0) var<storage, read> params: CameraParams;

@@ -2,9 +2,9 @@
 // pixels see the same surface in the same light: position, normal and signature.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(7) var<storage, read> irradiance: array<vec4f>;
+@group(0) @binding(7) var<storage, read> irradiance: array<Gathered>;
 @group(0) @binding(17) var<storage, read_write> surfaces: array<vec4u>;
-@group(0) @binding(18) var<storage, read_write> gathered: array<vec4f>;
+@group(0) @binding(18) var<storage, read_write> gathered: array<Gathered>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {

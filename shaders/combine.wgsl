@@ -5,8 +5,8 @@
 // that see the same surface, less of those that see other lights; the subsets count alike.
 
 @group(0) @binding(17) var<storage, read> surfaces: array<vec4u>;
-@group(0) @binding(18) var<storage, read> gathered: array<vec4f>;
-@group(0) @binding(19) var<storage, read_write> combined: array<vec4f>;
+@group(0) @binding(18) var<storage, read> gathered: array<Gathered>;
+@group(0) @binding(19) var<storage, read_write> combined: array<Gathered>;
 
 // How much the light of a point counts that sees one light more, or less, of eight.
 const UNLIKE = 0.25;
@@ -35,25 +35,27 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let place = i32(select(pixel.y, pixel.x, along_rows));
     let extent = i32(select(params.height, params.width, along_rows));
     let own = load_surface(at);
-    var sum = vec3f(0.0);
+    var sum = Gathered();
     var subsets = 0.0;
     for (var first = 0; first < s; first++) {
         // The pixels of a subset: one on either side, or the pixel itself.
-        var tap = vec4f(0.0);
+        var tap = Gathered();
+        var weights = 0.0;
         for (var step = first; step > -s; step -= s) {
             let is = place + step >= 0 && place + step < extent;
             let other = select(at, at + step * stride, is);
             let seen = load_surface(other);
             let same = is && one_surface(own.normal, seen.normal, seen.position - own.position);
             let unlike = f32(countOneBits(own.signature ^ seen.signature));
-            let weight = f32(s - abs(step)) * pow(UNLIKE, unlike);
-            tap += vec4f(gathered[other].rgb, 1.0) * select(0.0, weight, same);
+            let weight = select(0.0, f32(s - abs(step)) * pow(UNLIKE, unlike), same);
+            tap += gathered[other] * weight;
+            weights += weight;
         }
         // A subset that only unlike pixels gather counts less.
-        sum += tap.rgb / max(tap.w, 1.0);
-        subsets += min(tap.w, 1.0);
+        sum += tap * (1.0 / max(weights, 1.0));
+        subsets += min(weights, 1.0);
     }
     // What the clamp removed is summed over the image only, and stays with its pixel.
-    let result = vec4f(sum / max(subsets, 1e-30), gathered[at].w);
+    let result = with_removed(sum * (1.0 / max(subsets, 1e-30)), gathered[at]);
     combined[select(id.x, u32(at), along_rows)] = result;
 }

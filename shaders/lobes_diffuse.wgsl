@@ -1,7 +1,10 @@
-// What a point gathers where all surfaces are diffuse: irradiance; in w, the mean of the channels
-// that the clamp removed.
+// How points gather and reflect light where all surfaces are diffuse.
 
-alias Gathered = vec4f;
+alias Receiver = Point;
+
+fn receiver_of(point: Point) -> Receiver {
+    return point;
+}
 
 // Light from a unit direction that gives this irradiance.
 fn arriving(point: Point, toward: vec3f, irradiance: vec3f) -> Gathered {
@@ -11,4 +14,13 @@ fn arriving(point: Point, toward: vec3f, irradiance: vec3f) -> Gathered {
 // The radiance that a point reflects of what it has gathered.
 fn reflected(point: Point, albedo: vec3f, gathered: Gathered) -> vec3f {
     return gathered.rgb * albedo / PI;
+}
+
+// Means of the radiance that is reflected, and of that which the clamp removed: it would be
+// reflected as the light that is kept.
+fn kept_and_removed(point: Point, albedo: vec3f, gathered: Gathered) -> vec2f {
+    let mean = (gathered.r + gathered.g + gathered.b) / 3.0;
+    let kept = dot(gathered.rgb, albedo) / (3.0 * PI);
+    let plain = (albedo.r + albedo.g + albedo.b) / (3.0 * PI);
+    return vec2f(kept, gathered.w * select(plain, kept / mean, mean > 0.0));
 }

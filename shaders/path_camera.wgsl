@@ -19,11 +19,14 @@ fn main(
     if params.samples > 1u { inside = scrambled(params.sample + slot % params.rays, stream); }
     let direction = camera_direction(pixel, inside);
     let limit = select(0.0, HUGE, is && pixel.x < params.width && pixel.y < params.height);
-    let hit = traverse(params.position, direction, limit, params.nodes, false, invocation);
+    let sight = follow(
+        params.position, direction, limit, params.nodes, params.offset,
+        params.sample + slot % params.rays, stream, invocation,
+    );
     if is {
-        points[slot] = hit_point(hit, direction);
+        points[slot] = with_view(hit_point(sight.hit, sight.direction), sight.direction);
         radiance[slot] = vec4f(0.0);
-        paths[slot] = Path(vec3f(1.0), stream);
-        survivors[slot] = select(slot, NOTHING, hit.triangle == NOTHING);
+        paths[slot] = Path(throughput_of(sight), stream);
+        survivors[slot] = select(slot, NOTHING, sight.hit.triangle == NOTHING);
     }
 }

@@ -5,6 +5,11 @@
 @group(0) @binding(23) var<storage, read> queue: array<u32>;
 @group(0) @binding(24) var<storage, read_write> survivors: array<u32>;
 
+// Scrambles what decides at mirrors and glass.
+const TURN_STREAM = 0x7475726eu;
+// So dense is no other way to the same place.
+const CERTAIN = 1e15;
+
 // No invocation returns early: a subgroup may trace its rays together.
 @compute @workgroup_size(64)
 fn main(
@@ -22,14 +27,20 @@ fn main(
     let direction = scattered.direction;
     let origin = point.position + params.offset * point.normal;
     let limit = select(0.0, HUGE, id.x < params.paths && lives);
-    let hit = traverse(origin, direction, limit, params.nodes, false, invocation);
+    let number = params.first_sample + slot % params.samples;
+    let sight = follow(
+        origin, direction, limit, params.nodes, params.offset, number,
+        hash(path.stream ^ hash(TURN_STREAM + params.bounce)), invocation,
+    );
+    let hit = sight.hit;
     if id.x < params.paths { survivors[id.x] = select(slot, NOTHING, hit.triangle == NOTHING); }
     if hit.triangle != NOTHING {
-        let next = hit_point(hit, direction);
-        let carried = throughput / probability;
-        points[slot] = next;
+        let next = hit_point(hit, sight.direction);
+        let carried = throughput / probability * throughput_of(sight);
+        points[slot] = with_view(next, sight.direction);
         paths[slot] = Path(carried, path.stream);
+        // No shadow ray would have gone this way if it was turned.
         let density = scattered.density * dot(point.normal, direction);
-        find_emission(slot, carried, next, direction, density);
+        find_emission(slot, carried, next, sight.direction, select(density, CERTAIN, is_turned(sight)));
     }
 }

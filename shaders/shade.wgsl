@@ -5,7 +5,7 @@
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.points { return; }
     let at = params.first_point + id.x;
-    let point = points[at];
+    let receiver = receiver_of(points[at]);
     let row = row_of(at);
     var total = Gathered();
     for (var word = 0u; word < params.words; word++) {
@@ -17,8 +17,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             let index = firstTrailingBit(left);
             let vpl = vpls[32u * (params.matrix_word + word) + index];
             left &= left - 1u;
-            let light = vec4f(vpl.intensity, vpl.mean);
-            sum += pair(point, vpl.position, vpl.normal, light, seen, 1u << index);
+            sum += pair_of(receiver, vpl, seen, 1u << index);
         }
         total += sum;
     }

@@ -14,15 +14,6 @@ struct Point {
     depth: f32,
 }
 
-struct Vpl {
-    position: vec3f,
-    pad0: f32,
-    normal: vec3f,
-    pad1: f32,
-    intensity: vec3f,
-    mean: f32,
-}
-
 const PI = 3.14159265358979;
 
 // Point.surface: the camera ray hit nothing; the front of the surface is seen.

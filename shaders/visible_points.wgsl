@@ -16,7 +16,14 @@ fn main(
     if params.samples > 1u { inside = scrambled(params.sample, camera_stream(pixel)); }
     let direction = camera_direction(pixel, inside);
     let limit = select(0.0, HUGE, is);
-    let hit = traverse(params.position, direction, limit, params.nodes, false, invocation);
-    if hit.triangle != NOTHING { film[id.x].w += 1.0; }
-    if id.x < params.blocks * 64u { points[id.x] = hit_point(hit, direction); }
+    let stream = camera_stream(pixel);
+    let sight = follow(
+        params.position, direction, limit, params.nodes, params.offset, params.sample, stream,
+        invocation,
+    );
+    if sight.hit.triangle != NOTHING { film[id.x].w += 1.0; }
+    if id.x < params.blocks * 64u {
+        points[id.x] = with_view(hit_point(sight.hit, sight.direction), sight.direction);
+        keep_throughput(id.x, sight);
+    }
 }

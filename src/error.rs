@@ -107,7 +107,8 @@ impl Error {
     }
 }
 
-fn location(file: &std::path::Path, line: Option<usize>) -> String {
+/// A file, or a line of one.
+pub(crate) fn location(file: &std::path::Path, line: Option<usize>) -> String {
     let file = one_line(file.display().to_string());
     match line {
         Some(line) => format!("{file}:{line}"),

@@ -18,9 +18,9 @@ pub use error::GpuError;
 pub use kernel::Kernel;
 pub use layout::{
     AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
-    InterleaveParams, MaterialRecord, NodeRecord, PathParams, PathRecord, PathSum,
-    PointLightRecord, PointRecord, ShadeParams, SpotLightRecord, TriangleRecord, VisibilityParams,
-    VplRecord,
+    FinishRecord, GlossyVplRecord, InterleaveParams, MaterialRecord, NodeRecord, PathParams,
+    PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SpotLightRecord,
+    TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};

@@ -11,6 +11,7 @@ mod light_set;
 mod merge;
 mod path;
 mod picture;
+pub mod scatter;
 mod settings;
 mod stages;
 mod surface;
@@ -36,7 +37,7 @@ pub use vpl::{LightPaths, Vpl};
 
 use gathers::{Clustered, Gathers};
 use light_set::LightSet;
-pub use merge::{VirtualLight, VplClusters};
+pub use merge::{Gloss, VirtualLight, VplClusters};
 use path::PathTracer;
 use tile::TileRenderer;
 
@@ -62,6 +63,7 @@ pub struct Prepared {
     nodes: wgpu::Buffer,
     triangles: wgpu::Buffer,
     materials: wgpu::Buffer,
+    finishes: Option<wgpu::Buffer>,
     light_tables: Vec<(LightKind, wgpu::Buffer)>,
 }
 
@@ -78,6 +80,7 @@ impl Prepared {
 
         let start = Instant::now();
         let lights = Lights::of(&scene);
+        let features = Features::of(&scene);
         let materials: Vec<_> = scene
             .materials
             .iter()
@@ -92,11 +95,15 @@ impl Prepared {
             nodes: gpu.storage_of("BVH nodes", &bvh.nodes)?,
             triangles: gpu.storage_of("triangles", &bvh.triangles)?,
             materials: gpu.storage_of("materials", &materials)?,
+            finishes: features
+                .has_finishes()
+                .then(|| gpu.storage_of("finishes", &scatter::finishes(&scene)))
+                .transpose()?,
             light_tables: lights
                 .kinds()
                 .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
                 .collect::<Result<_, GpuError>>()?,
-            features: Features::of(&scene),
+            features,
             kernels: Kernels::default(),
             bvh_time,
             pipelines_time: Duration::ZERO,
@@ -113,6 +120,15 @@ impl Prepared {
     /// What programs are linked for.
     pub fn target(&self) -> Target {
         Target { subgroups: self.gpu.has_subgroups(), features: self.features }
+    }
+
+    /// What programs are linked for in a frame: one without light shows the first surfaces, and
+    /// needs nothing of how they reflect.
+    pub fn target_of(&self, settings: &Settings) -> Target {
+        let lit = settings.method.is_lit();
+        let plain = Features { phong: false, mirror: false, glass: false, ..self.features };
+        let features = if lit { self.features } else { plain };
+        Target { features, ..self.target() }
     }
 
     /// Features that no shader module linked so far serves.
@@ -224,7 +240,8 @@ pub fn frame(
     let bound = bound(prepared, settings, &vpls);
     let scale = prepared.scene.units.scale;
     counts.clamp = bound.map(|bound| f64::from(bound) / (scale * scale));
-    let mut lights: Vec<_> = vpls.iter().map(VirtualLight::of).collect();
+    let mut lights: Vec<_> =
+        vpls.iter().map(|vpl| VirtualLight::of(vpl, &prepared.scene)).collect();
     phases.vpls = start.elapsed();
 
     // Lights that share the visibility of a few.
@@ -242,7 +259,7 @@ pub fn frame(
 
     let gathered = if settings.method.is_indirect() { &lights[..] } else { &[] };
     let subsets = if settings.interleaves() { settings.interleave.pow(2) } else { 1 };
-    let indirect = LightSet::new(&prepared.gpu, gathered, columns.as_ref(), bound, subsets)?;
+    let indirect = LightSet::new(prepared, gathered, columns.as_ref(), bound, subsets)?;
     let renderer = TileRenderer::new(prepared, camera, settings, seed, indirect.as_ref())?;
     let shared = indirect.is_some() || settings.direct == Direct::Clustered;
     let shown = settings.method == Method::PointClusters;

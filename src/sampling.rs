@@ -62,7 +62,9 @@ pub fn cosine_hemisphere(normal: Vec3, u: [f32; 2]) -> Vec3 {
 /// A place on the disc of radius 1 about the origin, across `normal` (of unit length); pdf 1 / π.
 pub fn uniform_disk(normal: Vec3, u: [f32; 2]) -> Vec3 {
     let (sin, cos) = turn(u[1]);
-    across(normal, u[0].sqrt() * cos, u[0].sqrt() * sin)
+    let r = u[0].sqrt();
+    let [x, y] = frame(normal);
+    x * (r * cos) + y * (r * sin)
 }
 
 /// A direction within a cone about `axis` (of unit length), 1 minus the cosine of whose angle is
@@ -71,18 +73,29 @@ pub fn uniform_cone(axis: Vec3, width: f32, u: [f32; 2]) -> Vec3 {
     let fall = u[0] * width;
     let r = (fall * (2.0 - fall)).max(0.0).sqrt();
     let (sin, cos) = turn(u[1]);
-    (across(axis, r * cos, r * sin) + axis * (1.0 - fall)).normalize()
+    let [x, y] = frame(axis);
+    (x * (r * cos) + y * (r * sin) + axis * (1.0 - fall)).normalize()
 }
 
-/// The vector across `normal` that has these coordinates in the frame of Duff et al., "Building an
-/// Orthonormal Basis, Revisited", JCGT 2017.
-fn across(normal: Vec3, x: f32, y: f32) -> Vec3 {
-    let sign = 1.0f32.copysign(normal.z);
-    let a = -1.0 / (sign + normal.z);
-    let b = normal.x * normal.y * a;
-    let x_axis = Vec3::new(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
-    let y_axis = Vec3::new(b, sign + normal.y * normal.y * a, -normal.y);
-    x_axis * x + y_axis * y
+/// The unit vector at an angle of this cosine to a unit `axis`, turned about it by the fraction
+/// `turned` of a full turn.
+pub fn about(axis: Vec3, cosine: f32, turned: f32) -> Vec3 {
+    let r = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let (sin, cos) = turn(turned);
+    let [x, y] = frame(axis);
+    (x * (r * cos) + y * (r * sin) + axis * cosine).normalize()
+}
+
+/// Two unit vectors across a unit axis and each other: Duff et al., "Building an Orthonormal
+/// Basis, Revisited", JCGT 2017.
+fn frame(axis: Vec3) -> [Vec3; 2] {
+    let sign = 1.0f32.copysign(axis.z);
+    let a = -1.0 / (sign + axis.z);
+    let b = axis.x * axis.y * a;
+    [
+        Vec3::new(1.0 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x),
+        Vec3::new(b, sign + axis.y * axis.y * a, -axis.y),
+    ]
 }
 
 /// Weights of a triangle's second and third corner, uniform over its area.

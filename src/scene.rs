@@ -12,6 +12,7 @@ pub(crate) mod document;
 mod draft;
 pub mod environment;
 mod gltf;
+mod mesh;
 mod mtl;
 mod normalise;
 mod obj;
@@ -27,7 +28,7 @@ pub use builtin::BUILTIN_SCENES;
 pub use camera::{Camera, FovAxis};
 pub use draft::{Draft, DraftCamera, DraftMaterial, DraftSphere, DraftSpot, Origin};
 pub use environment::{Environment, EnvironmentImage};
-pub use texture::{Texels, Texture, Wrap};
+pub use texture::{ImageFiles, Texels, Texture, Wrap};
 
 use crate::error::{SceneError, one_line};
 
@@ -136,7 +137,7 @@ impl Finish {
 }
 
 /// A surface, lit on both sides, that may emit.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Material {
     /// The name it has in the files.
     pub name: String,

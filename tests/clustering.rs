@@ -177,7 +177,7 @@ fn merged_lights_keep_colour_and_energy() {
         .map(|_| {
             let normal = [Vec3::X, Vec3::Y, Vec3::NEG_Z][random.below(3)];
             let intensity = Vec3::new(random.unit(), random.unit() * 0.1, random.unit() * 7.0);
-            VirtualLight { position: random.cube(), normal, intensity }
+            VirtualLight::diffuse(random.cube(), normal, intensity)
         })
         .collect();
     let sum = |lights: &[VirtualLight]| {

@@ -8,9 +8,9 @@ use std::mem::offset_of;
 
 use gpu_vpl::gpu::{
     AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
-    InterleaveParams, MaterialRecord, NodeRecord, PathParams, PathRecord, PathSum,
-    PointLightRecord, PointRecord, ShadeParams, SpotLightRecord, TriangleRecord, VisibilityParams,
-    VplRecord,
+    FinishRecord, GlossyVplRecord, InterleaveParams, MaterialRecord, NodeRecord, PathParams,
+    PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SpotLightRecord,
+    TriangleRecord, VisibilityParams, VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};
@@ -78,6 +78,11 @@ fn records() -> Vec<Record> {
         record!(MaterialRecord as "Material" { albedo, two_sided, emission, pad }),
         record!(PointRecord as "Point" { position, surface, normal, depth }),
         record!(VplRecord as "Vpl" { position, pad0, normal, pad1, intensity, mean }),
+        record!(FinishRecord as "Finish" { specular, kind, parameter, gloss, pad }),
+        record!(GlossyVplRecord as "GlossyVpl" {
+            position, shininess, normal, peak, intensity, mean, specular, specular_mean, mirrored,
+            pad,
+        }),
         record!(PointLightRecord as "PointLight" { position, before, intensity, probability }),
         record!(SpotLightRecord as "SpotLight" {
             position, before, intensity, probability, axis, cos_outer, slope, pad,
@@ -90,7 +95,7 @@ fn records() -> Vec<Record> {
         }),
         record!(CameraParams as "CameraParams" {
             position, width, forward, height, right, first_block, up, sample, samples, seed,
-            blocks, nodes, first_ray, rays, edge_rays, pad,
+            blocks, nodes, first_ray, rays, edge_rays, offset,
         }),
         record!(DirectParams as "DirectParams" {
             points, lights, first, count, seed, first_block, offset, nodes, sample, samples, weight,
@@ -166,7 +171,7 @@ fn all_modules() -> Vec<naga::Module> {
 #[test]
 fn host_records_are_laid_out_as_naga_does() {
     let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
-    assert_eq!(compared.len(), 18, "{compared:?}");
+    assert_eq!(compared.len(), 20, "{compared:?}");
 }
 
 #[test]

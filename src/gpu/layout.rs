@@ -49,6 +49,23 @@ pub struct MaterialRecord {
     pub pad: u32,
 }
 
+/// What a material reflects beside its diffuse part, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct FinishRecord {
+    /// Of Phong k_s, of mirrors the reflectance, of glass what goes on of the light.
+    pub specular: [f32; 3],
+    /// 0 diffuse, 1 Phong, 2 mirror, 3 glass.
+    pub kind: u32,
+    /// Of Phong the shininess, of glass the index of refraction of the inside over that of the
+    /// outside.
+    pub parameter: f32,
+    /// Of Phong, the probability that a direction is drawn from the lobe.
+    pub gloss: f32,
+    /// Unused.
+    pub pad: [u32; 2],
+}
+
 /// A visible point (or the representative of a cluster of them), 32 bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
@@ -60,7 +77,8 @@ pub struct PointRecord {
     pub surface: u32,
     /// Geometric normal, facing the camera.
     pub normal: [f32; 3],
-    /// Distance from the camera.
+    /// Distance from the camera; or, in frames with Phong surfaces, the direction towards the
+    /// viewer, two coordinates of 16 bits.
     pub depth: f32,
 }
 
@@ -85,6 +103,32 @@ pub struct VplRecord {
     pub intensity: [f32; 3],
     /// Mean of the channels of `intensity`.
     pub mean: f32,
+}
+
+/// A virtual point light with a Phong lobe, 80 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct GlossyVplRecord {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// Exponent n of the lobe.
+    pub shininess: f32,
+    /// Unit normal of the side that it lights.
+    pub normal: [f32; 3],
+    /// The lobe at its peak over 1/π, (n + 2)/2; 0 without a lobe.
+    pub peak: f32,
+    /// Intensity along the normal of the diffuse part.
+    pub intensity: [f32; 3],
+    /// Mean of the channels of `intensity`.
+    pub mean: f32,
+    /// What the intensity would be if the lobe were diffuse.
+    pub specular: [f32; 3],
+    /// Mean of the channels of `specular`.
+    pub specular_mean: f32,
+    /// Unit direction of the lobe.
+    pub mirrored: [f32; 3],
+    /// Unused.
+    pub pad: f32,
 }
 
 /// A point light, 32 bytes.
@@ -197,8 +241,8 @@ pub struct CameraParams {
     pub rays: u32,
     /// Rays of an edge for this sample.
     pub edge_rays: u32,
-    /// Unused.
-    pub pad: u32,
+    /// Distance by which rays that go on are kept off surfaces.
+    pub offset: f32,
 }
 
 /// Parameters of the direct-light passes.

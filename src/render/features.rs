@@ -13,8 +13,10 @@ pub struct Features {
     pub textures: bool,
     /// Surfaces with a Phong lobe.
     pub phong: bool,
-    /// Mirrors or glass: camera rays go on there.
-    pub specular: bool,
+    /// Ideal mirrors.
+    pub mirror: bool,
+    /// Smooth dielectrics.
+    pub glass: bool,
 }
 
 impl Features {
@@ -27,13 +29,31 @@ impl Features {
             cutouts: scene.materials.iter().any(|material| material.cutout.is_some()),
             textures: varies.flatten().next().is_some(),
             phong: any(&|finish| matches!(finish, Finish::Phong { .. })),
-            specular: any(&|finish| finish.is_specular()),
+            mirror: any(&|finish| matches!(finish, Finish::Mirror { .. })),
+            glass: any(&|finish| matches!(finish, Finish::Glass { .. })),
         }
+    }
+
+    /// Whether any surface is more than diffuse.
+    pub fn has_finishes(&self) -> bool {
+        self.phong || self.specular()
+    }
+
+    /// Whether rays go on at some surfaces.
+    pub fn specular(&self) -> bool {
+        self.mirror || self.glass
     }
 
     /// All there are, whatever the scene has: for measuring what leaving out saves.
     pub fn everything() -> Self {
-        Self { spheres: true, cutouts: true, textures: true, phong: true, specular: true }
+        Self {
+            spheres: true,
+            cutouts: true,
+            textures: true,
+            phong: true,
+            mirror: true,
+            glass: true,
+        }
     }
 }
 
@@ -52,6 +72,11 @@ impl Target {
         Self { subgroups, features: Features::default() }
     }
 
+    /// How many values of four channels a point gathers: irradiance, and another for a lobe.
+    pub fn lobes(&self) -> usize {
+        if self.features.phong { 2 } else { 1 }
+    }
+
     /// Enough of the possible ones to link every module: each feature by itself, none, and all.
     pub fn all() -> Vec<Self> {
         let none = Features::default();
@@ -61,7 +86,8 @@ impl Target {
             Features { cutouts: true, ..none },
             Features { textures: true, ..none },
             Features { phong: true, ..none },
-            Features { specular: true, ..none },
+            Features { mirror: true, ..none },
+            Features { glass: true, ..none },
             Features::everything(),
         ];
         let both = [false, true].into_iter();

@@ -58,6 +58,8 @@ pub struct Clustered {
     pub tiling: Tiling,
     /// What the camera rays have hit.
     pub records: Vec<PointRecord>,
+    /// What comes back of their radiance, where mirrors or glass are in the way.
+    pub throughputs: Option<Vec<[f32; 4]>>,
     /// Which of the probes they see, a bit each.
     pub signatures: Option<Vec<u32>>,
     /// Who is in which cluster.
@@ -86,7 +88,7 @@ impl<'a> TileRenderer<'a> {
     ) -> Result<Option<Clustered>, GpuError> {
         let gpu = &self.prepared.gpu;
         let buffers = &self.stages.buffers;
-        let asked = match LightSet::new(gpu, probes, None, None, 1)? {
+        let asked = match LightSet::new(self.prepared, probes, None, None, 1)? {
             Some(lights) => {
                 let (named, points) = (buffers.named(self.prepared), self.tiling.most_points());
                 Some(Probes::new(self.prepared, &lights, &named, points)?)
@@ -95,6 +97,8 @@ impl<'a> TileRenderer<'a> {
         };
         let mut records = vec![PointRecord::zeroed(); self.tiling.all_points()];
         let mut signatures = asked.as_ref().map(|_| vec![0; records.len()]);
+        let kept = buffers.throughputs.as_ref();
+        let mut throughputs = kept.map(|_| vec![[0.0; 4]; records.len()]);
         progress(0.0, "visible points");
         for tile in self.tiling.tiles() {
             phases.visible_points +=
@@ -102,6 +106,10 @@ impl<'a> TileRenderer<'a> {
             let start = Instant::now();
             let read: Vec<PointRecord> = gpu.read(&buffers.points, tile.points() as usize)?;
             records[tile.of_frame()].copy_from_slice(&read);
+            if let (Some(kept), Some(throughputs)) = (kept, &mut throughputs) {
+                let read: Vec<[f32; 4]> = gpu.read(kept, tile.points() as usize)?;
+                throughputs[tile.of_frame()].copy_from_slice(&read);
+            }
             phases.readback += start.elapsed();
             if let (Some(probes), Some(signatures)) = (&asked, &mut signatures) {
                 let (bits, rays) = probes.seen(tile.points(), phases)?;
@@ -115,7 +123,13 @@ impl<'a> TileRenderer<'a> {
         let clusters = PointClusters::of(&records, seen, clustering, self.seed);
         phases.cluster_points += start.elapsed();
         let tiling = self.tiling;
-        Ok(clusters.map(|clusters| Clustered { tiling, records, signatures, clusters }))
+        Ok(clusters.map(|clusters| Clustered {
+            tiling,
+            records,
+            throughputs,
+            signatures,
+            clusters,
+        }))
     }
 
     /// What gathers direct light with clusters that have been found, if the settings ask for
@@ -132,7 +146,7 @@ impl<'a> TileRenderer<'a> {
         let kinds = [(Emitter::Point, lights.points()), (Emitter::Surface, places)];
         let mut gathers = Vec::new();
         for (emitter, lights) in kinds {
-            if let Some(lights) = LightSet::direct(&self.prepared.gpu, emitter, &lights)? {
+            if let Some(lights) = LightSet::direct(self.prepared, emitter, &lights)? {
                 let named = self.stages.buffers.named(self.prepared);
                 let (clusters, points) = (Some(&clustered.clusters), self.tiling.most_points());
                 gathers.push(Gather::new(self.prepared, lights, clusters, &named, points)?);

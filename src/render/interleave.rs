@@ -106,14 +106,15 @@ impl Interleave {
         combined: &wgpu::Buffer,
         probed: bool,
     ) -> Result<Self, GpuError> {
-        let gpu = &prepared.gpu;
+        let (gpu, target) = (&prepared.gpu, prepared.target());
+        let lobes = target.lobes();
         let most = (s * s * most_points(s, tiling)) as usize;
         let points = gpu.storage::<PointRecord>("interleaved points", most)?;
-        let irradiance = gpu.storage::<[f32; 4]>("interleaved irradiance", most)?;
+        let irradiance = gpu.storage::<[f32; 4]>("interleaved irradiance", most * lobes)?;
         let pixels = tiling.most_points() as usize;
         let surfaces = gpu.storage::<[u32; 4]>("surfaces", pixels)?;
         let signatures = probed.then(|| gpu.storage::<u32>("signatures", pixels)).transpose()?;
-        let gathered = gpu.storage::<[f32; 4]>("gathered irradiance", pixels)?;
+        let gathered = gpu.storage::<[f32; 4]>("gathered irradiance", pixels * lobes)?;
         let own = [
             ("separated", &points),
             ("irradiance", &irradiance),
@@ -124,10 +125,10 @@ impl Interleave {
         let mut buffers = [&own[..], tile].concat();
         buffers.extend(signatures.as_ref().map(|signatures| ("signatures", signatures)));
         let separate = Stage::new(prepared, &kernels::separate(), &buffers)?;
-        let collect = Stage::new(prepared, &kernels::collect(probed), &buffers)?;
-        let half = gpu.storage::<[f32; 4]>("half combined irradiance", pixels)?;
+        let collect = Stage::new(prepared, &kernels::collect(target, probed), &buffers)?;
+        let half = gpu.storage::<[f32; 4]>("half combined irradiance", pixels * lobes)?;
         let bind = |from_to: [Named<'_>; 2]| {
-            Stage::new(prepared, &kernels::combine(), &[&from_to[..], &buffers].concat())
+            Stage::new(prepared, &kernels::combine(target), &[&from_to[..], &buffers].concat())
         };
         let combine = [
             bind([("gathered", &gathered), ("combined", &half)])?,
@@ -199,6 +200,7 @@ mod tests {
 
     use super::*;
     use crate::gpu::{AdapterChoice, Gpu, Pass};
+    use crate::render::Target;
 
     #[test]
     fn every_point_is_in_one_subset() {
@@ -220,7 +222,7 @@ mod tests {
     fn what_the_device_separates_it_collects_again() {
         let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
         let separate = gpu.compile(&kernels::separate()).unwrap();
-        let collect = gpu.compile(&kernels::collect(false)).unwrap();
+        let collect = gpu.compile(&kernels::collect(Target::plain(true), false)).unwrap();
         for (s, sample) in [(2, 0), (2, 1), (3, 1), (4, 3), (8, 5)] {
             let subsets = Subsets::of(s, 5, 15, sample);
             let params = subsets.params();

@@ -8,12 +8,15 @@ use super::{Clamp, Direct, LightKind, Method, Prepared, Settings, Target};
 use crate::gpu::module::{
     ALBEDO_PLAIN, ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT,
     DIRECT_EXACT, DIRECT_SAMPLED, DIRECTIONAL_LIGHT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT,
-    EMITTER_SURFACE, EXPAND, GATHER, HIT_POINT, INTERLEAVED, LIGHT_SAMPLE, LOBES_DIFFUSE,
-    LOCAL_LIGHT, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_UNBOUNDED, PIXELS,
-    POINT_LIGHT, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD,
-    SEPARATE, SHADE, SHADE_COOPERATIVE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE,
-    SIGNATURE_PROBED, SPOT_LIGHT, TRAVERSE, TRAVERSE_PACKET, TYPES, VISIBILITY, VISIBILITY_PACKET,
-    VISIBLE,
+    EMITTER_SURFACE, EXPAND, FINISH, FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE,
+    GATHERED_PHONG, GLASS, HIT_POINT, INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE,
+    LIGHT_SAMPLE, LOBES_DIFFUSE, LOBES_PHONG, LOCAL_LIGHT, MIRROR, ONE_SURFACE, PACKET_RAYS,
+    PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PHONG, PIXELS,
+    POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY,
+    SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SHOW_ALBEDO, SHOW_DEPTH,
+    SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, SPOT_LIGHT, THROUGHPUT_KEPT, THROUGHPUT_NONE,
+    TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES, VIEW_KEPT,
+    VIEW_NONE, VISIBILITY, VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -24,18 +27,58 @@ fn traverse(target: Target) -> &'static Module {
 
 /// Camera rays.
 pub fn visible_points(target: Target) -> Program {
-    Program { label: "visible points", modules: camera_rays(target, &[&VISIBLE]) }
+    let keep = if target.features.specular() { &KEEP_THROUGHPUT } else { &KEEP_THROUGHPUT_NONE };
+    let modules = camera_rays(target, &[view(target), keep, &VISIBLE]);
+    Program { label: "visible points", modules }
 }
 
 /// More camera rays where pixels see edges.
 pub fn antialias(target: Target) -> Program {
-    let modules = camera_rays(target, &[&ONE_SURFACE, &ANTIALIAS]);
+    let modules = camera_rays(target, &[throughput(target), &ONE_SURFACE, &ANTIALIAS]);
     Program { label: "antialiasing", modules }
 }
 
 fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(target), &CAMERA, &HIT_POINT];
-    [&first[..], last].concat()
+    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(target), &CAMERA];
+    [&first[..], &follow(target), last].concat()
+}
+
+/// How rays go on at mirrors and glass, and what they see.
+fn follow(target: Target) -> Vec<&'static Module> {
+    let turns: &[&Module] = match (target.features.mirror, target.features.glass) {
+        (false, false) => return vec![&HIT_POINT, &FOLLOW_NONE],
+        (true, false) => &[&MIRROR, &TURN_MIRROR],
+        (false, true) => &[&GLASS, &TURN_GLASS],
+        (true, true) => &[&MIRROR, &GLASS, &TURN_EITHER],
+    };
+    [&[&HIT_POINT, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
+}
+
+/// Whether a visible point keeps where it is seen from.
+fn view(target: Target) -> &'static Module {
+    if target.features.phong { &VIEW_KEPT } else { &VIEW_NONE }
+}
+
+/// What points gather.
+fn gathered(target: Target) -> &'static Module {
+    if target.features.phong { &GATHERED_PHONG } else { &GATHERED_DIFFUSE }
+}
+
+/// How points gather, and what they reflect of it.
+fn lobes(target: Target) -> Vec<&'static Module> {
+    match target.features.phong {
+        true => vec![&GATHERED_PHONG, &VIEW_KEPT, &FINISH, &PHONG, &LOBES_PHONG],
+        false => vec![&GATHERED_DIFFUSE, &LOBES_DIFFUSE],
+    }
+}
+
+fn vpl(target: Target) -> &'static Module {
+    if target.features.phong { &VPL_GLOSSY } else { &VPL_DIFFUSE }
+}
+
+/// What comes back of the radiance of visible points.
+fn throughput(target: Target) -> &'static Module {
+    if target.features.specular() { &THROUGHPUT_KEPT } else { &THROUGHPUT_NONE }
 }
 
 /// What a kernel needs to draw from the lights of a kind.
@@ -51,7 +94,9 @@ fn lights_of(kind: LightKind) -> Vec<&'static Module> {
 /// Direct light from the lights of a kind. From many lights of some extent, those that give much
 /// are sought out.
 pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING, &LOBES_DIFFUSE, &RAY, traverse(target), &DIRECT];
+    let mut modules = vec![&TYPES, &SAMPLING];
+    modules.extend(lobes(target));
+    modules.extend([&RAY, traverse(target), &DIRECT]);
     modules.extend(lights_of(kind));
     match kind.is_exact() {
         true => modules.push(&DIRECT_EXACT),
@@ -137,8 +182,8 @@ impl Emitter {
 }
 
 /// Shadow rays between points and lights.
-pub fn visibility(_target: Target, tracing: Tracing, emitter: Emitter) -> Program {
-    let mut modules = vec![&TYPES, &RAY, emitter.module(), &BITS];
+pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program {
+    let mut modules = vec![&TYPES, vpl(target), &RAY, emitter.module(), &BITS];
     modules.extend(match tracing {
         Tracing::Single => [&TRAVERSE, &VISIBILITY],
         Tracing::Shaft => [&PACKET_SHAFT, &VISIBILITY_PACKET],
@@ -165,15 +210,15 @@ pub fn separate() -> Program {
 
 /// Interleaved sampling: what points have gathered into rows of pixels, with signatures where
 /// their visibility is probed.
-pub fn collect(probed: bool) -> Program {
+pub fn collect(target: Target, probed: bool) -> Program {
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
-    let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, signature, &COLLECT];
+    let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, signature, &COLLECT];
     Program { label: "collection", modules }
 }
 
 /// Interleaved sampling: what the pixels around have gathered.
-pub fn combine() -> Program {
-    let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &ONE_SURFACE, &COMBINE];
+pub fn combine(target: Target) -> Program {
+    let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, &ONE_SURFACE, &COMBINE];
     Program { label: "combination", modules }
 }
 
@@ -191,29 +236,43 @@ pub enum Sharing {
 /// Shading of points by lights.
 pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) -> Program {
     let bound = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
-    let mut modules = vec![&TYPES, &LOBES_DIFFUSE, bound, emitter.module(), &GATHER];
+    let mut modules = [&[&TYPES, vpl(target)][..], &lobes(target)].concat();
+    modules.extend([bound, emitter.module(), &GATHER]);
     match sharing {
         Sharing::Own => modules.extend([&SEEN_HARD, &ROW_POINT]),
         Sharing::Cluster => modules.extend([&SEEN_HARD, &ROW_CLUSTER]),
         Sharing::Fuzzy => modules.push(&SEEN_FUZZY),
     }
-    modules.push(if target.subgroups { &SHADE_COOPERATIVE } else { &SHADE });
+    let glossy = target.features.phong;
+    modules.push(if glossy { &PAIR_GLOSSY } else { &PAIR_DIFFUSE });
+    modules.push(match target.subgroups {
+        true if glossy => &SHADE_GLOSSY,
+        true => &SHADE_COOPERATIVE,
+        false => &SHADE,
+    });
     Program { label: "shading", modules }
 }
 
 /// Emission towards the camera.
 pub fn emit() -> Program {
-    Program { label: "emission", modules: vec![&TYPES, &EMIT] }
+    Program { label: "emission", modules: vec![&TYPES, &THROUGHPUT_NONE, &EMIT] }
 }
 
-/// Irradiance to reflected radiance.
-pub fn reflect() -> Program {
-    Program { label: "reflection", modules: vec![&TYPES, &LOBES_DIFFUSE, &ALBEDO_PLAIN, &REFLECT] }
+/// What visible points have gathered to reflected radiance.
+pub fn reflect(target: Target) -> Program {
+    let modules = [&[&TYPES][..], &lobes(target), &[&ALBEDO_PLAIN, &REFLECT]].concat();
+    Program { label: "reflection", modules }
 }
 
 /// What the clamp removed.
-pub fn removed() -> Program {
-    Program { label: "clamped energy", modules: vec![&TYPES, &ALBEDO_PLAIN, &REMOVED] }
+pub fn removed(target: Target) -> Program {
+    let modules = [&[&TYPES][..], &lobes(target), &[&ALBEDO_PLAIN, &REMOVED]].concat();
+    Program { label: "clamped energy", modules }
+}
+
+/// Radiance of visible points to the film, through mirrors and glass.
+pub fn resolve(target: Target) -> Program {
+    Program { label: "throughput", modules: vec![&TYPES, throughput(target), &RESOLVE] }
 }
 
 /// The picture of a method without light; none for the others.
@@ -235,13 +294,16 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     if settings.method == Method::Path {
         return path::needed(prepared, settings);
     }
-    let target = prepared.target();
+    let target = prepared.target_of(settings);
     let mut programs = vec![visible_points(target)];
     programs.extend(show(settings.method));
     if !settings.method.is_lit() {
         return programs;
     }
-    programs.extend(settings.antialiases().then(|| antialias(target)));
+    match settings.antialiases() {
+        true => programs.push(antialias(target)),
+        false => programs.extend(target.features.specular().then(|| resolve(target))),
+    }
     if prepared.lights.count(LightKind::Area) > 0 {
         programs.push(emit());
     }
@@ -256,19 +318,19 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
                 None => programs.push(direct_for(prepared, kind)),
             }
         }
-        programs.push(reflect());
+        programs.push(reflect(target));
     }
     if settings.traces_light_paths() {
         let bounded = settings.clamp != Clamp::Off;
         programs.extend([
             visibility_for(prepared, Emitter::Surface),
             shade(target, bounded, settings.sharing(), Emitter::Surface),
-            reflect(),
+            reflect(target),
         ]);
-        programs.extend(bounded.then(removed));
+        programs.extend(bounded.then(|| removed(target)));
         programs.extend(settings.shares_columns().then(expand));
         if settings.interleaves() {
-            programs.extend([separate(), collect(settings.probes()), combine()]);
+            programs.extend([separate(), collect(target, settings.probes()), combine(target)]);
         }
     }
     programs
@@ -317,14 +379,15 @@ impl Kernels {
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![emit(), reflect(), removed(), expand()];
-    programs.extend([separate(), collect(false), collect(true), combine()]);
+    let mut programs = vec![emit(), expand(), separate()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays];
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
-        programs.extend([visible_points(target), antialias(target)]);
+        programs.extend([visible_points(target), antialias(target), resolve(target)]);
+        programs.extend([reflect(target), removed(target), combine(target)]);
+        programs.extend([false, true].map(|probed| collect(target, probed)));
         for kind in LightKind::ALL {
             programs.extend([false, true].map(|many| direct(target, kind, many)));
         }

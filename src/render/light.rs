@@ -147,10 +147,9 @@ impl Lights {
 
     /// The point lights, as lights without a surface.
     pub fn points(&self) -> Vec<VirtualLight> {
-        let light = |light: &PointLightRecord| VirtualLight {
-            position: Vec3::from_array(light.position),
-            normal: Vec3::ZERO,
-            intensity: Vec3::from_array(light.intensity),
+        let light = |light: &PointLightRecord| {
+            let [position, intensity] = [light.position, light.intensity].map(Vec3::from_array);
+            VirtualLight::diffuse(position, Vec3::ZERO, intensity)
         };
         self.point.records.iter().map(light).collect()
     }

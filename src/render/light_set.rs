@@ -1,10 +1,12 @@
 //! Lights on the device that points gather: VPLs, or places on the light sources.
 
+use bytemuck::Zeroable;
 use glam::Vec3;
 
+use super::Prepared;
 use super::kernels::Emitter;
-use super::merge::{VirtualLight, VplClusters};
-use crate::gpu::{Gpu, GpuError, VplRecord};
+use super::merge::{Gloss, VirtualLight, VplClusters};
+use crate::gpu::{GlossyVplRecord, GpuError, VplRecord};
 
 /// Lights that points gather.
 #[derive(Debug)]
@@ -42,7 +44,7 @@ impl LightSet {
     /// # Errors
     /// The device refuses.
     pub fn new(
-        gpu: &Gpu,
+        prepared: &Prepared,
         lights: &[VirtualLight],
         columns: Option<&VplClusters>,
         bound: Option<f32>,
@@ -52,8 +54,9 @@ impl LightSet {
             return Ok(None);
         }
         let order = deal(&curve(lights), subsets as usize);
-        let buffer = gpu.storage_of("VPLs", &records(lights, &order, subsets as f32))?;
-        let columns = columns.map(|clusters| Columns::new(gpu, clusters, &order)).transpose()?;
+        let buffer = upload(prepared, "VPLs", lights, &order, subsets as f32)?;
+        let columns =
+            columns.map(|clusters| Columns::new(prepared, clusters, &order)).transpose()?;
         let words = (order.len() / 32) as u32 / subsets;
         let (count, emitter) = (lights.len() as u32, Emitter::Surface);
         Ok(Some(Self { emitter, count, words, subsets, buffer, bound, columns }))
@@ -64,17 +67,21 @@ impl LightSet {
     /// # Errors
     /// The device refuses.
     pub fn direct(
-        gpu: &Gpu,
+        prepared: &Prepared,
         emitter: Emitter,
         lights: &[VirtualLight],
     ) -> Result<Option<Self>, GpuError> {
-        let set = Self::new(gpu, lights, None, None, 1)?;
+        let set = Self::new(prepared, lights, None, None, 1)?;
         Ok(set.map(|set| Self { emitter, ..set }))
     }
 }
 
 impl Columns {
-    fn new(gpu: &Gpu, clusters: &VplClusters, vpls: &[Option<u32>]) -> Result<Self, GpuError> {
+    fn new(
+        prepared: &Prepared,
+        clusters: &VplClusters,
+        vpls: &[Option<u32>],
+    ) -> Result<Self, GpuError> {
         let curve = curve(&clusters.lights);
         let order = deal(&curve, 1);
         let mut column_of = vec![0; curve.len()];
@@ -85,8 +92,8 @@ impl Columns {
         let of_vpls: Vec<u32> = vpls.iter().map(|vpl| vpl.map_or(0, of_vpl)).collect();
         Ok(Self {
             words: (order.len() / 32) as u32,
-            buffer: gpu.storage_of("VPL clusters", &records(&clusters.lights, &order, 1.0))?,
-            of_vpls: gpu.storage_of("clusters of VPLs", &of_vpls)?,
+            buffer: upload(prepared, "VPL clusters", &clusters.lights, &order, 1.0)?,
+            of_vpls: prepared.gpu.storage_of("clusters of VPLs", &of_vpls)?,
         })
     }
 }
@@ -116,21 +123,55 @@ fn deal(order: &[u32], subsets: usize) -> Vec<Option<u32>> {
     dealt
 }
 
-/// The lights in an order, `scale` times as bright; where it has none, one of no intensity.
-fn records(lights: &[VirtualLight], order: &[Option<u32>], scale: f32) -> Vec<VplRecord> {
-    let record = |index: u32| {
-        let light = &lights[index as usize];
-        let intensity = light.intensity * scale;
-        VplRecord {
-            position: light.position.to_array(),
-            pad0: 0.0,
-            normal: light.normal.to_array(),
-            pad1: 0.0,
-            intensity: intensity.to_array(),
-            mean: intensity.element_sum() / 3.0,
-        }
-    };
-    order.iter().map(|index| index.map_or_else(bytemuck::Zeroable::zeroed, record)).collect()
+/// Uploads the lights in an order, `scale` times as bright; where it has none, one of no
+/// intensity. Where no surface is glossy, records have no room for it.
+fn upload(
+    prepared: &Prepared,
+    label: &str,
+    lights: &[VirtualLight],
+    order: &[Option<u32>],
+    scale: f32,
+) -> Result<wgpu::Buffer, GpuError> {
+    fn records<T: bytemuck::Pod>(
+        lights: &[VirtualLight],
+        order: &[Option<u32>],
+        record: impl Fn(&VirtualLight) -> T,
+    ) -> Vec<T> {
+        let of_index = |index: u32| record(&lights[index as usize]);
+        order.iter().map(|index| index.map_or_else(T::zeroed, of_index)).collect()
+    }
+    let gpu = &prepared.gpu;
+    match prepared.features.phong {
+        true => gpu.storage_of(label, &records(lights, order, |light| glossy(light, scale))),
+        false => gpu.storage_of(label, &records(lights, order, |light| diffuse(light, scale))),
+    }
+}
+
+fn diffuse(light: &VirtualLight, scale: f32) -> VplRecord {
+    let intensity = light.intensity * scale;
+    VplRecord {
+        position: light.position.to_array(),
+        pad0: 0.0,
+        normal: light.normal.to_array(),
+        pad1: 0.0,
+        intensity: intensity.to_array(),
+        mean: intensity.element_sum() / 3.0,
+    }
+}
+
+fn glossy(light: &VirtualLight, scale: f32) -> GlossyVplRecord {
+    let VplRecord { position, normal, intensity, mean, .. } = diffuse(light, scale);
+    let plain = GlossyVplRecord { position, normal, intensity, mean, ..Zeroable::zeroed() };
+    let Some(Gloss { specular, shininess, mirrored, .. }) = light.gloss else { return plain };
+    let specular = specular * scale;
+    GlossyVplRecord {
+        shininess,
+        peak: 0.5 * shininess + 1.0,
+        specular: specular.to_array(),
+        specular_mean: specular.element_sum() / 3.0,
+        mirrored: mirrored.to_array(),
+        ..plain
+    }
 }
 
 /// Interleaved bits of a position, 21 an axis; normalised coordinates lie within [-2, 2].

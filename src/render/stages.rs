@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Direct, LightKind, Prepared, Settings, kernels};
+use super::{Direct, LightKind, Prepared, Settings, Target, kernels};
 use crate::gpu::{Bindings, CameraParams, Gpu, GpuError, Kernel, Pass, PointRecord, Program};
 
 /// A kernel with its buffers bound, and the buffer of its parameters.
@@ -24,8 +24,11 @@ pub struct Buffers {
     pub points: wgpu::Buffer,
     /// Irradiance of the kind of light being gathered.
     pub irradiance: Option<wgpu::Buffer>,
-    /// Radiance of the visible points of a sample, where edges are antialiased.
+    /// Radiance of the visible points of a sample, where edges are antialiased, or mirrors or glass
+    /// may be in the way.
     pub radiance: Option<wgpu::Buffer>,
+    /// What comes back of that radiance through mirrors and glass.
+    pub throughputs: Option<wgpu::Buffer>,
     /// Indirect radiance that was reflected and that the clamp removed.
     pub energy: Option<wgpu::Buffer>,
 }
@@ -40,13 +43,18 @@ impl Buffers {
         gathers: bool,
         clamps: bool,
         edges: bool,
+        target: Target,
     ) -> Result<Self, GpuError> {
+        let specular = target.features.specular();
         let colours = |label: &str| gpu.storage::<[f32; 4]>(label, points);
         Ok(Self {
             film: colours("film")?,
             points: gpu.storage::<PointRecord>("visible points", points)?,
-            irradiance: gathers.then(|| colours("irradiance")).transpose()?,
-            radiance: edges.then(|| colours("radiance")).transpose()?,
+            irradiance: gathers
+                .then(|| gpu.storage::<[f32; 4]>("irradiance", points * target.lobes()))
+                .transpose()?,
+            radiance: (edges || specular).then(|| colours("radiance")).transpose()?,
+            throughputs: specular.then(|| colours("throughputs")).transpose()?,
             energy: clamps.then(|| gpu.storage::<[f32; 2]>("energy", points)).transpose()?,
         })
     }
@@ -60,6 +68,8 @@ impl Buffers {
             ("points", &self.points),
             ("film", &self.film),
         ];
+        named.extend(prepared.finishes.as_ref().map(|buffer| ("finishes", buffer)));
+        named.extend(self.throughputs.as_ref().map(|buffer| ("throughputs", buffer)));
         named.extend(self.radiance.as_ref().map(|buffer| ("radiance", buffer)));
         named.extend(self.irradiance.as_ref().map(|buffer| ("irradiance", buffer)));
         named.extend(self.energy.as_ref().map(|buffer| ("energy", buffer)));
@@ -76,6 +86,8 @@ pub struct Stages {
     pub visible: Stage,
     /// More camera rays where pixels see edges.
     pub antialias: Option<Stage>,
+    /// Radiance through mirrors and glass, where edges aren't antialiased.
+    pub resolve: Option<Stage>,
     /// The picture of a method without light.
     pub show: Option<Stage>,
     /// Emission towards the camera.
@@ -105,7 +117,8 @@ impl Stages {
         let direct = lit && settings.direct != Direct::Off;
         let gathers = direct || indirect;
         let edges = settings.antialiases();
-        let buffers = Buffers::new(&prepared.gpu, points, gathers, clamps, edges)?;
+        let target = prepared.target_of(settings);
+        let buffers = Buffers::new(&prepared.gpu, points, gathers, clamps, edges, target)?;
         let on_film = buffers.named(prepared);
         // The first buffer of a name counts.
         let mut named = Vec::new();
@@ -122,18 +135,20 @@ impl Stages {
             direct && !(settings.direct == Direct::Clustered && kind.has_places())
         };
         let tables = prepared.light_tables.iter().filter(|(kind, _)| per_pixel(*kind));
-        let target = prepared.target();
         let areas = prepared.lights.count(LightKind::Area) > 0;
         Ok(Self {
             visible: Stage::new(prepared, &kernels::visible_points(target), &on_film)?,
             antialias: edges
                 .then(|| Stage::new(prepared, &kernels::antialias(target), &on_film))
                 .transpose()?,
+            resolve: (target.features.specular() && !edges)
+                .then(|| Stage::new(prepared, &kernels::resolve(target), &on_film))
+                .transpose()?,
             show: kernels::show(settings.method).map(bind).transpose()?,
             emit: when(lit && areas, kernels::emit())?,
             direct: tables.map(with_lights).collect::<Result<_, GpuError>>()?,
-            reflect: when(gathers, kernels::reflect())?,
-            removed: when(clamps, kernels::removed())?,
+            reflect: when(gathers, kernels::reflect(target))?,
+            removed: when(clamps, kernels::removed(target))?,
             buffers,
         })
     }

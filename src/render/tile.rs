@@ -86,6 +86,9 @@ impl<'a> TileRenderer<'a> {
                 let run = tile.of_frame();
                 let subsets = self.interleave.as_ref().map(|interleave| interleave.subsets(tile));
                 gpu.write(&buffers.points, &clustered.records[run.clone()])?;
+                if let (Some(kept), Some(from)) = (&buffers.throughputs, &clustered.throughputs) {
+                    gpu.write(kept, &from[run.clone()])?;
+                }
                 if let (Some(interleave), Some(seen)) = (&self.interleave, &clustered.signatures) {
                     interleave.set_signatures(self.prepared, &seen[run.clone()])?;
                 }
@@ -184,6 +187,9 @@ impl<'a> TileRenderer<'a> {
     /// Brings the radiance of a sample to the film, with more camera rays at edges; nothing if
     /// it is there already.
     fn antialias(&self, tile: Tile) -> Result<Duration, GpuError> {
+        if let Some(stage) = &self.stages.resolve {
+            return self.run(stage, &(), [tile.blocks, 1]);
+        }
         let Some(stage) = &self.stages.antialias else { return Ok(Duration::ZERO) };
         let params = self.camera_params(tile);
         let at_once = kernels::rays_at_once(self.prepared.bvh.nodes.len());
@@ -288,6 +294,7 @@ pub fn camera_params(
         samples,
         seed: hash(seed ^ 0x68e3_1da4),
         nodes: prepared.bvh.nodes.len() as u32,
+        offset: SURFACE_OFFSET,
         ..bytemuck::Zeroable::zeroed()
     }
 }

@@ -6,16 +6,21 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::light::{Lights, Start, leave};
+use super::scatter::{self, Carried, Place};
 use super::settings::Bounces;
 use super::surface::Surface;
 use crate::bvh::{Bvh, Ray};
-use crate::sampling::{Sequence, cosine_hemisphere};
+use crate::sampling::Sequence;
 use crate::scene::Scene;
 
 /// Russian roulette lets a path live with at most this probability.
 const MOST_SURVIVAL: f32 = 0.95;
 /// Dimensions of the sequence that the start of a path takes; a bounce takes three.
 const START_DIMENSIONS: u32 = 5;
+/// The first dimension of what chooses between reflection and refraction, in a block of its own.
+const TURN_DIMENSION: u32 = 1 << 20;
+/// Mirrors and glass that a path meets at most.
+const MOST_SPECULAR: u32 = 32;
 
 /// A virtual point light: light that has arrived at a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,31 +69,45 @@ impl LightPaths<'_> {
     fn trace_one(&self, sequence: &Sequence, path: u32) -> Vec<Vpl> {
         let mut vpls = Vec::new();
         let Some((mut ray, mut flux)) = self.start(sequence, path) else { return vpls };
-        let mut bounce = 0u32;
+        let (mut bounce, mut turns) = (0u32, 0u32);
         while !matches!(self.bounces, Bounces::Finite(most) if bounce >= most) {
             let Some(hit) = self.bvh.closest(&ray) else { break };
-            let Surface { position, normal, albedo, material, .. } =
+            let Surface { position, normal, front, albedo, material } =
                 Surface::of(self.scene, &hit, ray.direction);
+            let of_surface = &self.scene.materials[material as usize];
+            let finish = of_surface.finish;
+            let incident = ray.direction;
+            if finish.is_specular() {
+                // Between facing mirrors it would go on for ever.
+                let u = sequence.sample(path, TURN_DIMENSION + turns);
+                let turned = scatter::turn(&finish, normal, front, incident, u, Carried::Flux);
+                let Some(turned) = turned.filter(|_| turns < MOST_SPECULAR) else { break };
+                flux *= turned.weight;
+                let side = if turned.reflected { normal } else { -normal };
+                ray = leave(position, side, turned.direction);
+                turns += 1;
+                continue;
+            }
+            let gloss = scatter::gloss(of_surface);
+            let place = Place { normal, albedo, finish, gloss };
             // A black surface ends the path, and would be a light of no intensity.
-            if (flux * albedo).max_element() <= 0.0 {
+            if (flux * (albedo + Vec3::splat(gloss))).max_element() <= 0.0 {
                 break;
             }
-            let incident = ray.direction;
             vpls.push(Vpl { position, normal, incident, flux, albedo, material });
 
             let dimension = START_DIMENSIONS + 3 * bounce;
             let draw = |i| sequence.sample(path, dimension + i);
-            // Cosine sampling of a diffuse BRDF leaves the albedo as weight.
-            flux *= albedo;
+            let scattered = place.scatter(-incident, [draw(0), draw(1)]);
+            flux *= scattered.weight;
             if self.bounces == Bounces::Unlimited {
-                let survival = albedo.max_element().min(MOST_SURVIVAL);
+                let survival = scattered.weight.max_element().min(MOST_SURVIVAL);
                 if draw(2) >= survival {
                     break;
                 }
                 flux /= survival;
             }
-            let direction = cosine_hemisphere(normal, [draw(0), draw(1)]);
-            ray = leave(position, normal, direction);
+            ray = leave(position, normal, scattered.direction);
             bounce += 1;
         }
         vpls

@@ -138,6 +138,10 @@ impl<'a> Section<'a> {
 }
 
 impl<'a> Value<'a> {
+    pub fn origin(&self) -> Origin {
+        Origin::line(self.document.file, self.line)
+    }
+
     /// An error about this value.
     pub fn fault(&self, what: &str) -> SceneError {
         let Self { document, section, key, line, .. } = self;
@@ -172,6 +176,14 @@ impl<'a> Value<'a> {
     /// A finite number, whole or not.
     pub fn number(&self) -> Result<f64, SceneError> {
         number(self.value).ok_or_else(|| self.fault("must be a finite number"))
+    }
+
+    /// A number greater than 0.
+    pub fn length(&self) -> Result<f64, SceneError> {
+        match self.number()? {
+            length if length > 0.0 => Ok(length),
+            _ => Err(self.fault("must be greater than 0")),
+        }
     }
 
     /// So many finite numbers.

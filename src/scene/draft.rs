@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use glam::{DVec3, Vec2, Vec3};
 
 use super::{
-    Environment, Finish, FovAxis, Material, Scene, Texels, Texture, Warning, camera, normalise,
+    Environment, Finish, FovAxis, ImageFiles, Material, Scene, Texels, Texture, Warning, camera,
+    normalise,
 };
-use crate::error::SceneError;
+use crate::error::{SceneError, location};
 
 /// Triangles, materials, lights and camera as a file gives them. Loaders fill it;
 /// [`Draft::finish`] makes the [`Scene`].
@@ -32,6 +33,8 @@ pub struct Draft {
     pub textures: Vec<Texture>,
     /// The images of the textures.
     pub images: Vec<Texels>,
+    /// Which of them were read from files.
+    pub image_files: ImageFiles,
     /// Position, and intensity in W/sr.
     pub point_lights: Vec<(DVec3, DVec3)>,
     /// Lights that shine into a cone.
@@ -62,6 +65,11 @@ impl Origin {
     /// A line of a file.
     pub fn line(file: impl Into<PathBuf>, line: usize) -> Self {
         Self { file: file.into(), line: Some(line) }
+    }
+
+    /// A warning that something at this place is shown otherwise than it asks for.
+    pub fn changed(&self, what: impl AsRef<str>) -> Warning {
+        Warning::changed(format!("{}: {}", location(&self.file, self.line), what.as_ref()))
     }
 
     /// An error at this place.
@@ -154,6 +162,31 @@ impl Draft {
             .map_err(|_| SceneError::new(&self.name, "too many materials"))?;
         self.materials.push(material);
         Ok(index)
+    }
+
+    /// Adds a triangle: its corners, their texture coordinates, and its material's index.
+    pub fn add_triangle(&mut self, corners: [DVec3; 3], uvs: [Vec2; 3], material: u32) {
+        self.uvs.resize(self.triangles.len(), [Vec2::ZERO; 3]);
+        self.triangles.push((corners, material));
+        self.uvs.push(uvs.map(bounded));
+    }
+
+    /// Adds an image and returns its index.
+    pub fn add_image(&mut self, image: Texels) -> u32 {
+        self.images.push(image);
+        self.images.len() as u32 - 1
+    }
+
+    /// Adds a texture, if there is none like it, and returns its index.
+    pub fn add_texture(&mut self, texture: Texture) -> u32 {
+        let (scale, offset) = (bounded(texture.scale), bounded(texture.offset));
+        let texture = Texture { scale, offset, ..texture };
+        let index = self.textures.iter().position(|known| *known == texture);
+        let index = index.unwrap_or_else(|| {
+            self.textures.push(texture);
+            self.textures.len() - 1
+        });
+        index as u32
     }
 
     /// Checks, recentres, scales and rounds the draft to a [`Scene`].
@@ -259,6 +292,12 @@ fn impossible(finish: &Finish, albedo: Vec3) -> Option<&'static str> {
         }
         _ => None,
     }
+}
+
+/// Texture coordinates, or what they are multiplied by: beyond, f32 tells no texels apart, and
+/// products might overflow.
+fn bounded(uv: Vec2) -> Vec2 {
+    uv.clamp(Vec2::splat(-1e9), Vec2::splat(1e9))
 }
 
 /// Whether a radiance or an intensity is possible: finite in f32, and not negative.

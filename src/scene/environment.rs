@@ -1,8 +1,12 @@
 //! Light from all directions, from infinitely far away.
 
+mod read;
+
 use std::f32::consts::{PI, TAU};
 
 use glam::{Vec2, Vec3};
+
+pub(super) use read::read;
 
 /// Radiance by direction.
 #[derive(Debug, Clone, PartialEq)]

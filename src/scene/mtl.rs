@@ -1,18 +1,19 @@
-//! Wavefront MTL, read line by line: what of it cannot be rendered yet is reported with its
-//! line, which `tobj`'s reader does not keep.
+//! Wavefront MTL, read line by line: what of it is not shown is reported with its line, which
+//! `tobj`'s reader does not keep.
+
+mod map;
+mod surface;
 
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
-use super::{DraftMaterial, Origin, Warning, obj::read_text};
+use super::obj::read_text;
 use crate::error::SceneError;
+use map::Map;
 
 /// Albedo of what has no material, or a material without colour.
 pub const DEFAULT_ALBEDO: DVec3 = DVec3::splat(0.8);
-
-/// Exponent from which on a highlight is a mirror's.
-const MIRROR_SHININESS: f64 = 1000.0;
 
 /// A material as the file gives it; colours are linear.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -28,7 +29,13 @@ pub struct MtlMaterial {
     dissolve: Option<f64>,
     transparency: f64,
     illumination: f64,
-    maps: Vec<String>,
+    refraction: Option<f64>,
+    transmission: Option<DVec3>,
+    diffuse_map: Option<Map>,
+    opacity_map: Option<Map>,
+    emission_map: Option<Map>,
+    /// Statements of maps that are not shown.
+    other_maps: Vec<String>,
 }
 
 /// Reads all materials of a file; of two of one name, the first.
@@ -41,7 +48,7 @@ fn parse(file: &Path, text: &str) -> Result<Vec<MtlMaterial>, SceneError> {
     for (line, content) in (1..).zip(text.lines()) {
         let mut words = content.split_whitespace().take_while(|word| !word.starts_with('#'));
         let Some(keyword) = words.next() else { continue };
-        let statement = Statement { file, line, keyword, words: words.collect() };
+        let statement = Statement { file, line, keyword, words: words.collect(), content };
         if keyword.eq_ignore_ascii_case("newmtl") {
             // A name may hold blanks and '#'.
             let name = content.trim_start()[keyword.len()..].trim().to_owned();
@@ -62,6 +69,8 @@ struct Statement<'a> {
     line: usize,
     keyword: &'a str,
     words: Vec<&'a str>,
+    /// The whole line.
+    content: &'a str,
 }
 
 impl Statement<'_> {
@@ -87,9 +96,14 @@ impl Statement<'_> {
             }
             "tr" => material.transparency = self.number(0)?,
             "illum" => material.illumination = self.number(0)?,
+            "ni" => material.refraction = Some(self.number(0)?),
+            "tf" => material.transmission = Some(self.colour()?),
+            "map_kd" => material.diffuse_map = Map::parse(self)?,
+            "map_d" => material.opacity_map = Map::parse(self)?,
+            "map_ke" => material.emission_map = Map::parse(self)?,
             "map_ka" => {}
             name if name.starts_with("map_") || SURFACE_MAPS.contains(&name) => {
-                material.maps.push(self.keyword.to_owned());
+                material.other_maps.push(self.keyword.to_owned());
             }
             _ => {}
         }
@@ -115,87 +129,10 @@ impl Statement<'_> {
     }
 
     fn fault(&self, what: &str) -> SceneError {
-        let Self { file, line, keyword, words } = self;
+        let Self { file, line, keyword, words, .. } = self;
         SceneError::at(*file, *line, format!("`{keyword} {}`: {keyword} {what}", words.join(" ")))
     }
 }
 
 /// Textures whose statement does not begin with `map_`.
 const SURFACE_MAPS: [&str; 5] = ["bump", "disp", "decal", "refl", "norm"];
-
-/// How light leaves a surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Diffuse,
-    Phong,
-    Mirror,
-    Glass,
-}
-
-impl MtlMaterial {
-    fn kind(&self) -> Kind {
-        let opacity = self.dissolve.unwrap_or(1.0 - self.transparency);
-        let cut_out = self.maps.iter().any(|map| map.eq_ignore_ascii_case("map_d"));
-        let illumination = self.illumination;
-        let black = self.diffuse.unwrap_or_default() == DVec3::ZERO;
-        if [4.0, 6.0, 7.0, 9.0].contains(&illumination) || (opacity < 1.0 && !cut_out) {
-            Kind::Glass
-        } else if [3.0, 5.0].contains(&illumination)
-            && (black || self.shininess >= MIRROR_SHININESS)
-        {
-            Kind::Mirror
-        } else if self.specular.max_element() > 0.0 {
-            Kind::Phong
-        } else {
-            Kind::Diffuse
-        }
-    }
-
-    /// The nearest material that can be rendered, and what was lost on the way.
-    pub fn to_draft(&self) -> (DraftMaterial, Option<Warning>) {
-        let colourless = self.diffuse.is_none() && self.emission.is_none();
-        let given = self.diffuse.unwrap_or(if colourless { DEFAULT_ALBEDO } else { DVec3::ZERO });
-        let reflected = (given + self.specular).max_element();
-        let material = DraftMaterial {
-            name: self.name.clone(),
-            albedo: if reflected > 1.0 { (given / reflected).min(DVec3::ONE) } else { given },
-            emission: self.emission.unwrap_or_default(),
-            two_sided: false,
-            origin: Origin::line(&self.file, self.line),
-            ..DraftMaterial::default()
-        };
-        let mut faults = Vec::new();
-        if reflected > 1.0 {
-            faults.push(format!(
-                "reflects more than it receives (Kd + Ks = {reflected:.4}), scaled to 1"
-            ));
-        }
-        if let Some(what) = self.left_out() {
-            faults.push(format!("has {what}, not supported yet, Kd alone is used"));
-        }
-        let changes_image = !faults.is_empty();
-        if colourless {
-            faults.push("has no Kd, 0.8 is used".to_owned());
-        }
-        let message = || {
-            let Self { file, line, name, .. } = self;
-            format!("{}:{line}: material `{name}` {}", file.display(), faults.join("; "))
-        };
-        let warning =
-            (!faults.is_empty()).then(|| Warning { changes_image, ..Warning::note(message()) });
-        (material, warning)
-    }
-
-    /// What of it is not rendered.
-    fn left_out(&self) -> Option<String> {
-        let kind = match self.kind() {
-            Kind::Diffuse => None,
-            Kind::Phong => Some("a Phong highlight"),
-            Kind::Mirror => Some("a mirror"),
-            Kind::Glass => Some("glass"),
-        };
-        let maps = self.maps.iter().map(String::as_str);
-        let parts: Vec<&str> = kind.into_iter().chain(maps).collect();
-        (!parts.is_empty()).then(|| parts.join(", "))
-    }
-}

@@ -1,38 +1,32 @@
 //! Wavefront OBJ: [`scan`] checks the text, `tobj` reads the polygons, [`polygon`] cuts them.
+//! Texture coordinates are the scan's: `tobj` loses count of faces that have none.
 
 mod scan;
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
+use super::mesh::{Library, Mesh, Triangle};
 use super::mtl::{self, MtlMaterial};
 use super::{Draft, DraftMaterial, Origin, Scene, Warning, bare, polygon};
 use crate::error::SceneError;
 use scan::{Named, Scan};
 
-/// Corners, and the index of the material's name where there is one.
-type Triangle = ([DVec3; 3], Option<usize>);
-
-/// A mesh whose materials are but names yet.
+/// The materials of all libraries, and what `usemtl` asks for.
 #[derive(Debug)]
-pub struct Mesh {
-    triangles: Vec<Triangle>,
-    /// Materials that `usemtl` asks for.
-    names: Vec<Named>,
-    /// Materials of all libraries.
-    library: Vec<MtlMaterial>,
-    /// Libraries that are not there.
-    missing: Vec<Named>,
+struct Materials {
     file: PathBuf,
-    warnings: Vec<Warning>,
+    /// A slot each: what `usemtl` names, then what the libraries hold beside.
+    names: Vec<Named>,
+    described: Vec<MtlMaterial>,
 }
 
 /// Loads a mesh without a scene file.
 pub fn load_bare(path: &Path) -> Result<Scene, SceneError> {
     let mut draft = Draft::new(path.display().to_string());
-    read(path)?.add_to(&mut draft, &HashMap::new(), |corners| corners)?;
+    read(path)?.add_to(&mut draft, &HashMap::new(), &DAffine3::IDENTITY)?;
     bare::finish(draft, path)
 }
 
@@ -48,22 +42,10 @@ pub fn read_text(file: &Path) -> Result<String, SceneError> {
 
 /// Reads a mesh and the materials it names.
 pub fn read(file: &Path) -> Result<Mesh, SceneError> {
-    let scan = scan::scan(file, &read_text(file)?)?;
-    let (mut library, mut missing) = (Vec::new(), Vec::new());
-    for named in &scan.libraries {
-        match find_libraries(file, &named.name) {
-            Ok(paths) => {
-                for path in paths {
-                    library.extend(mtl::read(&path)?);
-                }
-            }
-            Err(names) => {
-                missing.extend(names.into_iter().map(|name| Named { name, line: named.line }));
-            }
-        }
-    }
-    let Scan { text, names, mut warnings, without_surface, .. } = scan;
-    let triangles = read_polygons(file, &text, names.len(), &mut warnings)?;
+    let mut scan = scan::scan(file, &read_text(file)?)?;
+    let described = read_libraries(file, &mut scan)?;
+    let triangles = read_polygons(file, &mut scan)?;
+    let Scan { mut names, warnings, without_surface, .. } = scan;
     if triangles.is_empty() {
         let what = "no face of three corners or more: nothing to render";
         return Err(match without_surface {
@@ -71,7 +53,34 @@ pub fn read(file: &Path) -> Result<Mesh, SceneError> {
             None => SceneError::new(file, what),
         });
     }
-    Ok(Mesh { triangles, names, library, missing, file: file.to_owned(), warnings })
+    for material in &described {
+        if names.iter().all(|named| named.name != material.name) {
+            names.push(Named { name: material.name.clone(), line: 0 });
+        }
+    }
+    let file = file.to_owned();
+    let library = Box::new(Materials { file: file.clone(), names, described });
+    Ok(Mesh { file, triangles, library, warnings })
+}
+
+/// Reads all libraries. One that is not there changes the image only if a material is missing
+/// for it, which is a warning of its own.
+fn read_libraries(file: &Path, scan: &mut Scan) -> Result<Vec<MtlMaterial>, SceneError> {
+    let mut described = Vec::new();
+    for Named { name, line } in &scan.libraries {
+        match find_libraries(file, name) {
+            Ok(paths) => {
+                for path in paths {
+                    described.extend(mtl::read(&path)?);
+                }
+            }
+            Err(missing) => scan.warnings.extend(missing.iter().map(|name| {
+                let file = file.display();
+                Warning::note(format!("{file}:{line}: no material library `{name}` here"))
+            })),
+        }
+    }
+    Ok(described)
 }
 
 /// The files of an `mtllib` line: one whose name may hold blanks, or several, of which some
@@ -90,24 +99,22 @@ fn find_libraries(obj: &Path, line: &str) -> Result<Vec<PathBuf>, Vec<String>> {
 }
 
 /// Lets `tobj` read the checked text, and cuts its polygons to triangles.
-fn read_polygons(
-    file: &Path,
-    text: &str,
-    names: usize,
-    warnings: &mut Vec<Warning>,
-) -> Result<Vec<Triangle>, SceneError> {
+fn read_polygons(file: &Path, scan: &mut Scan) -> Result<Vec<Triangle>, SceneError> {
+    let names = scan.names.len();
     let library = || {
         let material = |i: usize| tobj::Material { name: i.to_string(), ..Default::default() };
         let materials = (0..names).map(material).collect();
         Ok((materials, (0..names).map(|i| (i.to_string(), i)).collect()))
     };
-    let mut lines = scan::CountLines::new(text);
+    let mut lines = scan::CountLines::new(&scan.text);
     let options =
         tobj::LoadOptions { ignore_points: true, ignore_lines: true, ..Default::default() };
     let (models, _) = tobj::load_obj_buf(&mut lines, &options, |_| library())
         .map_err(|error| SceneError::at(file, lines.line(), error.to_string()))?;
     let mut triangles = Vec::new();
     let mut inexact = 0;
+    // The corners of all faces, in the file's order, as are those of the models.
+    let mut uvs = scan.corner_uvs();
     for tobj::Model { mesh, .. } in models {
         let position = |&i: &u32| DVec3::from_slice(&mesh.positions[3 * i as usize..]);
         let arities = mesh.face_arities.iter().map(|&arity| arity as usize);
@@ -120,121 +127,63 @@ fn read_polygons(
             let corners: Vec<DVec3> =
                 mesh.indices[start..start + arity].iter().map(position).collect();
             start += arity;
+            let uvs: Vec<_> = uvs.by_ref().take(arity).collect();
             let cut = polygon::triangulate(&corners);
             inexact += u64::from(!cut.exact);
-            let corners = cut.triangles.iter().map(|indices| indices.map(|i| corners[i]));
-            triangles.extend(corners.map(|corners| (corners, mesh.material_id)));
+            triangles.extend(cut.triangles.iter().map(|indices| Triangle {
+                corners: indices.map(|i| corners[i]),
+                uvs: indices.map(|i| uvs.get(i).copied().unwrap_or_default()),
+                material: mesh.material_id,
+            }));
         }
     }
+    drop(uvs);
     if inexact > 0 {
         let file = file.display();
-        warnings.push(Warning::changed(format!(
+        scan.warnings.push(Warning::changed(format!(
             "{file}: {inexact} polygons cross themselves or are too large to cut; fanned"
         )));
     }
     Ok(triangles)
 }
 
-impl Mesh {
-    /// Adds the mesh, moved by `place`, with its own materials, or those of `overrides` of the
-    /// same name.
-    pub fn add_to(
-        self,
-        draft: &mut Draft,
-        overrides: &HashMap<String, u32>,
-        place: impl Fn([DVec3; 3]) -> [DVec3; 3],
-    ) -> Result<(), SceneError> {
-        let used: Vec<bool> = {
-            let mut used = vec![false; self.names.len()];
-            self.triangles.iter().filter_map(|&(_, name)| name).for_each(|name| used[name] = true);
-            used
-        };
-        let mut lost = false;
-        let mut indices = Vec::with_capacity(self.names.len());
-        for (named, used) in self.names.iter().zip(used) {
-            indices.push(match overrides.get(&named.name) {
-                _ if !used => 0,
-                Some(&index) => index,
-                None => match self.library_material(draft, &named.name)? {
-                    Some(index) => index,
-                    None => {
-                        lost = true;
-                        self.unknown_material(draft, named)?
-                    }
-                },
-            });
+impl Library for Materials {
+    fn name(&self, slot: usize) -> String {
+        self.names[slot].name.clone()
+    }
+
+    fn find(&self, name: &str) -> Option<usize> {
+        self.described(name)?;
+        self.names.iter().position(|named| named.name == name)
+    }
+
+    fn add(&self, slot: usize, draft: &mut Draft) -> Result<u32, SceneError> {
+        let named = &self.names[slot];
+        match self.described(&named.name) {
+            Some(material) => material.add_to(draft),
+            None => self.add_unknown(named, draft),
         }
-        let bare = self.triangles.iter().any(|(_, name)| name.is_none());
-        let default = if bare { self.default_material(draft)? } else { 0 };
-        draft.triangles.extend(
-            self.triangles.iter().map(|&(corners, name)| {
-                (place(corners), name.map_or(default, |name| indices[name]))
-            }),
-        );
-        self.warn(draft, lost);
-        Ok(())
+    }
+}
+
+impl Materials {
+    fn described(&self, name: &str) -> Option<&MtlMaterial> {
+        self.described.iter().find(|material| material.name == name)
     }
 
-    /// Adds the mesh, moved by `place`, all of one material.
-    pub fn add_all_of(
-        self,
-        draft: &mut Draft,
-        material: u32,
-        place: impl Fn([DVec3; 3]) -> [DVec3; 3],
-    ) {
-        let place = |&(corners, _): &([DVec3; 3], _)| (place(corners), material);
-        draft.triangles.extend(self.triangles.iter().map(place));
-        draft.warnings.extend(self.warnings);
-    }
-
-    /// Adds the material of this name in the mesh's own libraries.
-    pub fn library_material(
+    fn add_unknown(
         &self,
+        Named { name, line }: &Named,
         draft: &mut Draft,
-        name: &str,
-    ) -> Result<Option<u32>, SceneError> {
-        let Some(material) = self.library.iter().find(|material| material.name == name) else {
-            return Ok(None);
-        };
-        let (material, warning) = material.to_draft();
-        draft.warnings.extend(warning);
-        draft.add_material(material).map(Some)
-    }
-
-    fn unknown_material(&self, draft: &mut Draft, named: &Named) -> Result<u32, SceneError> {
-        let Named { name, line } = named;
-        draft.warnings.push(Warning::changed(format!(
-            "{}:{line}: no material `{name}` in any library; albedo 0.8 is used",
-            self.file.display()
-        )));
+    ) -> Result<u32, SceneError> {
+        let origin = Origin::line(&self.file, *line);
+        let what = format!("no material `{name}` in any library; albedo 0.8 is used");
+        draft.warnings.push(origin.changed(what));
         draft.add_material(DraftMaterial {
             name: name.clone(),
             albedo: mtl::DEFAULT_ALBEDO,
-            origin: Origin::line(&self.file, *line),
+            origin,
             ..DraftMaterial::default()
         })
-    }
-
-    fn default_material(&self, draft: &mut Draft) -> Result<u32, SceneError> {
-        draft.warnings.push(Warning::note(format!(
-            "{}: faces without a material; albedo 0.8 is used",
-            self.file.display()
-        )));
-        draft.add_material(DraftMaterial {
-            name: "default".to_owned(),
-            albedo: mtl::DEFAULT_ALBEDO,
-            origin: Origin::file(&self.file),
-            ..DraftMaterial::default()
-        })
-    }
-
-    /// A library that is not there matters only if a material is missing.
-    fn warn(self, draft: &mut Draft, lost: bool) {
-        draft.warnings.extend(self.warnings);
-        draft.warnings.extend(self.missing.iter().map(|Named { name, line }| {
-            let message =
-                format!("{}:{line}: no material library `{name}` here", self.file.display());
-            Warning { changes_image: lost, ..Warning::note(message) }
-        }));
     }
 }

@@ -1,6 +1,11 @@
 //! Textures: images that a surface's albedo, emission or opacity vary by.
 
+pub mod decode;
+mod files;
+
 use glam::{Vec2, Vec3, Vec4};
+
+pub use files::{ImageFiles, Part, read_image};
 
 /// An image of 8 bits a channel.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -95,7 +100,7 @@ fn neighbours(at: f32, size: u32, wrap: Wrap) -> (u32, u32, f32) {
 }
 
 /// A channel of sRGB in linear light (IEC 61966-2-1).
-fn linear(value: f32) -> f32 {
+pub(super) fn linear(value: f32) -> f32 {
     match value {
         0.0..=0.04045 => value / 12.92,
         _ => libm::powf((value + 0.055) / 1.055, 2.4),

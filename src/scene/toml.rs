@@ -1,10 +1,10 @@
 //! The scene file. Every fault is reported with the line of the key or table at fault.
 
 mod camera;
-
 mod light;
 mod material;
 mod mesh;
+mod sphere;
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -32,15 +32,15 @@ pub fn load(path: &Path) -> Result<Scene, SceneError> {
     if let Some(all) = root.get("materials") {
         for (name, value) in all.section("[materials]")?.values() {
             let section = value.section(&format!("[materials.{name}]"))?;
-            let material = material::read(name, &section)?;
+            let material = material::read(name, &section, &mut draft)?;
             materials.insert(name.to_owned(), draft.add_material(material)?);
         }
     }
-    if let Some(sphere) = root.get("sphere") {
-        return Err(sphere.fault("[[sphere]] is not supported yet; give a [[mesh]]"));
-    }
     for mesh in root.sections("mesh")? {
         mesh::read(&mesh, &materials, &mut draft)?;
+    }
+    for sphere in root.sections("sphere")? {
+        sphere::read(&sphere, &materials, &mut draft)?;
     }
     for (light, number) in root.sections("light")?.iter().zip(1..) {
         light::read(light, number, &mut draft)?;

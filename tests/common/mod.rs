@@ -15,7 +15,7 @@ use std::sync::OnceLock;
 use glam::{DVec3, Vec3, dvec3};
 use gpu_vpl::gpu::{AdapterChoice, Gpu};
 use gpu_vpl::render::{self, Frame, Prepared, Settings};
-use gpu_vpl::scene::{Draft, DraftCamera, DraftMaterial, FovAxis, Origin, Scene, Triangle};
+use gpu_vpl::scene::{Draft, DraftCamera, DraftMaterial, Finish, FovAxis, Origin, Scene, Triangle};
 
 /// A device of one's own.
 pub fn open_gpu() -> Gpu {
@@ -112,6 +112,13 @@ impl Build {
         self.draft.add_material(material).expect("there are few materials")
     }
 
+    /// A material that does not emit.
+    pub fn finished(&mut self, albedo: [f64; 3], finish: Finish) -> u32 {
+        let index = self.material(albedo, [0.0; 3], false);
+        self.draft.materials[index as usize].finish = finish;
+        index
+    }
+
     pub fn triangle(&mut self, material: u32, corners: [DVec3; 3]) {
         let corners = corners.map(|corner| self.place(corner));
         self.draft.triangles.push((corners, material));
@@ -173,8 +180,11 @@ impl Build {
 }
 
 pub fn render_scene(scene: Scene, settings: &Settings) -> Frame {
-    let prepared = Prepared::new(open_gpu(), scene, settings).expect("the scene fits the device");
-    frame(&prepared, settings)
+    render_on(open_gpu(), scene, settings)
+}
+
+pub fn render_on(gpu: Gpu, scene: Scene, settings: &Settings) -> Frame {
+    frame(&Prepared::new(gpu, scene, settings).expect("the scene fits the device"), settings)
 }
 
 pub fn frame(prepared: &Prepared, settings: &Settings) -> Frame {
@@ -215,4 +225,11 @@ pub fn difference(one: &[[f32; 3]], two: &[[f32; 3]]) -> f64 {
     let mean = all().map(|(_, &b)| f64::from(b.abs())).sum::<f64>() / (3 * two.len()) as f64;
     assert!(mean > 0.0, "a black image compares with everything");
     all().map(|(&a, &b)| f64::from((a - b).abs())).fold(0.0, f64::max) / mean
+}
+
+/// The mean of an image, per channel.
+pub fn mean(pixels: &[[f32; 3]]) -> [f64; 3] {
+    std::array::from_fn(|channel| {
+        pixels.iter().map(|pixel| f64::from(pixel[channel])).sum::<f64>() / pixels.len() as f64
+    })
 }

@@ -130,7 +130,7 @@ fn only_the_default_scene_is_read() {
 }
 
 #[test]
-fn materials_are_the_nearest_diffuse_ones() {
+fn colours_and_emission_are_the_files() {
     let material = json!({"name": "lamp", "doubleSided": true, "emissiveFactor": [0.5, 1, 0],
         "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}},
         "pbrMetallicRoughness": {"baseColorFactor": [0.25, 0.5, 0.75, 1], "metallicFactor": 0}});
@@ -141,23 +141,6 @@ fn materials_are_the_nearest_diffuse_ones() {
     assert_eq!(lamp.albedo.to_array(), [0.25, 0.5, 0.75]);
     assert_eq!(lamp.emission.to_array(), [2.0, 4.0, 0.0]);
     assert!(scene.warnings.is_empty() && scene.point_lights.is_empty(), "{:?}", scene.warnings);
-
-    let metal = json!([{"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1]}}]);
-    let scene = edited(&[("/materials", metal), edits[1].clone()]);
-    assert_eq!(scene.materials[0].albedo.to_array(), [1.0, 0.5, 0.0]);
-    warned(&scene, "material `material 0` has a metallic surface", true);
-
-    let textured = json!([{"name": "wood", "pbrMetallicRoughness":
-        {"metallicFactor": 0, "baseColorTexture": {"index": 0}},
-        "emissiveTexture": {"index": 7}, "extensions": {"KHR_materials_transmission": {}}}]);
-    let scene = edited(&[
-        ("/materials", textured),
-        edits[1].clone(),
-        ("/textures", json!([{"source": 0}])),
-        ("/images", json!([{"uri": "wood.png"}])),
-    ]);
-    warned(&scene, "material `wood` has baseColorTexture `wood.png`", true);
-    warned(&scene, "emissiveTexture `texture 7`, KHR_materials_transmission", true);
 }
 
 #[test]
@@ -187,6 +170,8 @@ fn viewed() -> Edit {
             json!({"KHR_lights_punctual": {"lights": [
                 {"type": "point", "color": [1, 0.5, 0], "intensity": 8},
                 {"type": "spot", "name": "beam", "spot": {}},
+                {"type": "directional", "color": [1, 0, 1], "intensity": 3},
+                {"type": "area", "name": "lamp"},
             ]}}),
         ),
         (
@@ -196,10 +181,13 @@ fn viewed() -> Edit {
                 {"camera": 0},
                 {"camera": 1, "translation": [-4, 0, 1], "rotation": [0, -half, 0, half]},
                 {"extensions": {"KHR_lights_punctual": {"light": 0}}, "translation": [0, 0, 2]},
-                {"extensions": {"KHR_lights_punctual": {"light": 1}}},
+                {"extensions": {"KHR_lights_punctual": {"light": 1}}, "translation": [0, 1, 0],
+                    "rotation": [0, -half, 0, half]},
+                {"extensions": {"KHR_lights_punctual": {"light": 2}}},
+                {"extensions": {"KHR_lights_punctual": {"light": 3}}},
             ]),
         ),
-        ("/scenes", json!([{"nodes": [0, 1, 2, 3, 4]}])),
+        ("/scenes", json!([{"nodes": [0, 1, 2, 3, 4, 5, 6]}])),
     ])
 }
 
@@ -210,17 +198,28 @@ fn the_camera_and_the_lights_are_the_files() {
     assert_eq!((camera.position, camera.size), (Vec3::new(-4.0, 0.0, 1.0), [512, 512]));
     assert!(camera.forward.distance(Vec3::X) < 1e-6 && camera.up.distance(Vec3::Y) < 1e-6);
     assert!((camera.half_tangents()[1] - 0.5_f32.tan()).abs() < 1e-6);
-    assert_eq!(scene.point_lights.len(), 1);
-    assert_eq!(scene.point_lights[0].position, Vec3::new(0.0, 0.0, 2.0));
-    assert_eq!(scene.point_lights[0].intensity, Vec3::new(8.0, 4.0, 0.0));
+    assert_eq!(scene.point_lights.len(), 2);
+    let [point, spot] = [scene.point_lights[0], scene.point_lights[1]];
+    assert_eq!((point.position, point.cone), (Vec3::new(0.0, 0.0, 2.0), None));
+    assert_eq!(point.intensity, Vec3::new(8.0, 4.0, 0.0));
+    assert_eq!((spot.position, spot.intensity), (Vec3::new(0.0, 1.0, 0.0), Vec3::ONE));
+    let cone = spot.cone.unwrap();
+    assert!(cone.axis.distance(Vec3::X) < 1e-6, "{}", cone.axis);
+    let cosines = [0.0_f32.cos(), std::f32::consts::FRAC_PI_4.cos()];
+    assert!((cone.cos_inner - cosines[0]).abs() < 1e-6);
+    assert!((cone.cos_outer - cosines[1]).abs() < 1e-6);
+    let sun = scene.directional_lights[0];
+    assert!(sun.direction.distance(-Vec3::Z) < 1e-6);
+    assert_eq!((sun.irradiance, scene.directional_lights.len()), (Vec3::new(3.0, 0.0, 3.0), 1));
     warned(&scene, "camera `flat` is orthographic", true);
-    warned(&scene, "light `beam` is of type \"spot\"", true);
+    warned(&scene, "light `lamp` is of the unknown type \"area\"", true);
     assert!(!scene.warnings.iter().any(|warning| warning.message.contains("no light")));
 }
 
 #[test]
 fn a_camera_of_the_file_carries_the_light_that_is_missing() {
-    let scene = load_gltf(&viewed().edit(&[("/nodes/3/extensions", json!({}))])).unwrap();
+    let scenes = json!([{"nodes": [0, 1, 2, 6]}]);
+    let scene = load_gltf(&viewed().edit(&[("/scenes", scenes)])).unwrap();
     warned(&scene, "no light", false);
     assert_eq!(scene.point_lights[0].position, scene.camera.position);
 }

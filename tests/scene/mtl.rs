@@ -1,7 +1,8 @@
 //! Wavefront MTL.
 
+use glam::Vec3;
 use gpu_vpl::error::SceneError;
-use gpu_vpl::scene::Scene;
+use gpu_vpl::scene::{Finish, Material, Scene};
 
 use super::{load, refused, warned};
 
@@ -38,28 +39,83 @@ fn what_reflects_too_much_is_scaled() {
     warned(&scene, "m.mtl:1: material `m` reflects more", true);
 }
 
+/// The one material of a library, made of these statements.
+fn material(mtl: &str) -> Material {
+    with(&format!("newmtl m\n{mtl}")).unwrap().materials[0].clone()
+}
+
 #[test]
-fn what_is_not_rendered_yet_is_named_once() {
-    let cases = [
-        ("Kd 0.5 0.5 0.5\nKs 0.2 0.2 0.2\nNs 50", "a Phong highlight"),
-        ("Kd 0 0 0\nKs 0.9 0.9 0.9\nillum 3", "a mirror"),
-        ("Kd 0.1 0.1 0.1\nKs 0.9 0.9 0.9\nillum 5\nNs 1000", "a mirror"),
-        ("Kd 0.1 0.1 0.1\nKs 0.8 0.8 0.8\nillum 3\nNs 10", "a Phong highlight"),
-        ("Kd 0 0 0\nKs 1 1 1\nillum 7\nNi 1.5", "glass"),
-        ("Kd 0.5 0.5 0.5\nd 0.5", "glass"),
-        ("Kd 0.5 0.5 0.5\nTr 0.5", "glass"),
-        ("Kd 0.5 0.5 0.5\nd 0.5\nmap_d a.png\nmap_Kd b.png", "map_d, map_Kd"),
-        ("Kd 0.5 0.5 0.5\nbump -bm 2 a.png", "bump"),
-    ];
-    for (text, what) in cases {
-        let scene = with(&format!("\nnewmtl m\n{text}\n")).unwrap();
-        warned(&scene, &format!("m.mtl:2: material `m` has {what}, not supported yet"), true);
+fn illum_d_ks_and_ns_tell_the_kind() {
+    let phong = |specular: f32, shininess: f32| Finish::Phong {
+        specular: Vec3::splat(specular),
+        shininess,
+    };
+    let mirror = |specular: f32| Finish::Mirror { specular: Vec3::splat(specular) };
+    let glass = |ior: f32| Finish::Glass { specular: Vec3::ONE, ior };
+    for (text, albedo, finish) in [
+        ("Kd 0.5\nKs 0\nNs 50\nillum 2", 0.5, Finish::Diffuse),
+        ("Kd 0.5\nKs 0.25\nNs 50", 0.5, phong(0.25, 50.0)),
+        ("Kd 0.5\nKs 0.25\nNs 50\nillum 2", 0.5, phong(0.25, 50.0)),
+        ("Kd 0.5\nKs 0.25", 0.5, phong(0.25, 0.0)),
+        ("Kd 0\nKs 0.25\nNs 1e9", 0.0, phong(0.25, 1e6)),
+        ("Kd 0\nKs 0.75\nillum 3", 0.0, mirror(0.75)),
+        ("Ks 0.75\nKe 1\nillum 5", 0.0, mirror(0.75)),
+        ("Kd 0.125\nKs 0.75\nillum 5\nNs 1000", 0.0, mirror(0.75)),
+        ("Kd 0.125\nKs 0.75\nillum 3\nNs 999", 0.125, phong(0.75, 999.0)),
+        ("Kd 0.5\nKs 0\nillum 3\nNs 2000", 0.5, Finish::Diffuse),
+        ("Kd 0\nKs 1\nillum 7\nNi 1.25", 0.0, glass(1.25)),
+        ("Kd 0.5\nillum 4", 0.0, glass(1.5)),
+        ("Kd 0.5\nillum 6\nKs 0\nNi 1", 0.0, glass(1.0)),
+        ("illum 9\nTf 0 0 0", 0.0, glass(1.5)),
+        ("Kd 0.5\nd 0.75", 0.0, glass(1.5)),
+        ("Kd 0.5\nTr 0.25", 0.0, glass(1.5)),
+        ("Kd 0.5\nTr 1\nd 1", 0.5, Finish::Diffuse),
+        ("Kd 0.5\nd -halo 1\nNi 1.5\nTf 1 1 1", 0.5, Finish::Diffuse),
+    ] {
+        let scene = with(&format!("newmtl m\n{text}\n")).unwrap();
+        let Material { albedo: got, finish: got_finish, .. } = scene.materials[0];
+        assert_eq!((got.to_array(), got_finish), ([albedo; 3], finish), "{text}");
+        assert!(scene.warnings.iter().all(|w| !w.message.contains("m.mtl")), "{text}");
+    }
+    let tinted = Finish::Glass { specular: Vec3::new(0.5, 0.25, 1.0), ior: 1.5 };
+    assert_eq!(material("illum 7\nTf 0.5 0.25 1\n").finish, tinted);
+}
+
+#[test]
+fn what_reflects_too_much_keeps_its_colour() {
+    let scaled = |text: &str, warning: &str| {
+        let scene = with(&format!("newmtl m\n{text}\n")).unwrap();
+        warned(&scene, &format!("m.mtl:1: material `m` {warning}"), true);
+        scene.materials[0].finish
+    };
+    let half = Vec3::new(0.5, 1.0, 0.0);
+    assert_eq!(
+        scaled("Kd 0\nKs 1 2 0\nillum 3", "reflects more than it receives (Ks = 2.0000)"),
+        Finish::Mirror { specular: half }
+    );
+    assert_eq!(
+        scaled("illum 7\nTf 1 2 0", "reflects more than it receives (Tf = 2.0000)"),
+        Finish::Glass { specular: half, ior: 1.5 }
+    );
+    assert_eq!(
+        scaled("Kd 1\nKs 0.5 1 0\nNs 7", "reflects more than it receives (Kd + Ks = 2.0000)"),
+        Finish::Phong { specular: 0.5 * half, shininess: 7.0 }
+    );
+    let impossible = scaled("illum 7\nNi 0", "has an impossible Ni of 0, 1.5 is used");
+    assert_eq!(impossible, Finish::Glass { specular: Vec3::ONE, ior: 1.5 });
+}
+
+#[test]
+fn maps_that_are_not_shown_are_named_once() {
+    for (text, what) in [
+        ("map_Ks a.png\nmap_Bump -bm 2 a.png\nnorm a.png", "map_Ks, map_Bump, norm"),
+        ("bump -bm 2 a.png", "bump"),
+        ("disp a.png", "disp"),
+    ] {
+        let scene = with(&format!("\nnewmtl m\nKd 0.5 0.5 0.5\n{text}\n")).unwrap();
+        warned(&scene, &format!("m.mtl:2: material `m` has {what}, which are not shown"), true);
         let of_mtl = scene.warnings.iter().filter(|warning| warning.message.contains("m.mtl"));
         assert_eq!(of_mtl.count(), 1, "{text}");
-    }
-    for plain in ["Ks 0 0 0\nillum 2", "Tr 1\nd 1", "d -halo 1", "Ni 1.5\nTf 1 1 1"] {
-        let scene = with(&format!("newmtl m\nKd 1 1 1\n{plain}\n")).unwrap();
-        assert!(scene.warnings.iter().all(|w| !w.message.contains("m.mtl")), "{plain}");
     }
 }
 
@@ -73,6 +129,7 @@ fn faults_are_refused_with_their_line() {
     refused(with("newmtl m\nKd spectral a.rfl\n"), "m.mtl:2", "not supported");
     refused(with("Kd 1 1 1\nnewmtl m\n"), "m.mtl:1", "before any newmtl");
     refused(with("newmtl a\nnewmtl m\nKd -1 0 0\n"), "m.mtl:2", "material `m`: albedo");
+    refused(with("newmtl m\nKd 0\nKs -1 0 0\n"), "m.mtl:1", "material `m`: specular");
     refused(with("newmtl m\nKe -1 0 0\n"), "m.mtl:1", "material `m`: emission");
 }
 

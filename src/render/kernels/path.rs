@@ -1,35 +1,43 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, emit, lights_of, traverse};
+use super::{Prepared, camera_rays, follow, lights_of, traverse, view};
 use crate::gpu::module::{
-    ALBEDO_PLAIN, CAMERA, CHOOSE_LIGHT, HIT_POINT, MIS, NO_ROULETTE, PATH, PATH_CAMERA,
-    PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_EXACT, PATH_LIGHT, PATH_NO_EMISSION, PATH_RANDOM,
-    PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, PIXELS, RAY, ROULETTE, SAMPLING,
-    SCATTER_DIFFUSE, TYPES,
+    ALBEDO_PLAIN, CHOOSE_LIGHT, EMIT, FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS,
+    NO_ROULETTE, PATH, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_EXACT,
+    PATH_LIGHT, PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM,
+    PHONG, RAY, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, THROUGHPUT_NONE,
+    THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, LightKind, Settings, Target};
 
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(target)];
-    modules.extend([&CAMERA, &HIT_POINT, &PATH_STATE, &PATH_CAMERA]);
+    let modules = camera_rays(target, &[view(target), &PATH_STATE, &PATH_CAMERA]);
     Program { label: "paths, camera", modules }
 }
 
 fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [
-        &TYPES,
-        &SAMPLING,
-        &RAY,
-        traverse(target),
-        &PATH,
-        &PATH_STATE,
-        &PATH_RANDOM,
-        &ALBEDO_PLAIN,
-        &SCATTER_DIFFUSE,
-    ];
-    [&first[..], last].concat()
+    let first = [&TYPES, &SAMPLING, &HEMISPHERE, &RAY, traverse(target)];
+    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, &ALBEDO_PLAIN];
+    [&first[..], &path, &scatter(target), last].concat()
+}
+
+/// How surfaces scatter light.
+fn scatter(target: Target) -> Vec<&'static Module> {
+    match target.features.phong {
+        true => vec![&GATHERED_PHONG, &VIEW_KEPT, &FINISH, &PHONG, &LOBES_PHONG, &SCATTER_PHONG],
+        false => vec![&VIEW_NONE, &SCATTER_DIFFUSE],
+    }
+}
+
+/// What paths see that is emitted towards the camera.
+pub fn emit(target: Target) -> Program {
+    let modules = match target.features.specular() {
+        true => vec![&TYPES, &PATH_STATE, &THROUGHPUT_PATH, &EMIT],
+        false => vec![&TYPES, &THROUGHPUT_NONE, &EMIT],
+    };
+    Program { label: "emission", modules }
 }
 
 /// Shadow rays to the lights of a kind.
@@ -51,7 +59,10 @@ pub fn next_event(target: Target, kind: LightKind) -> Program {
 /// The next segment of paths, in a scene with or without area lights.
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
-    let mut last = vec![&HIT_POINT, survival];
+    let mut last = follow(target);
+    // A module stands once in a program.
+    last.retain(|module| !scatter(target).contains(module));
+    last.push(survival);
     match areas {
         true => last.extend([&MIS, &PATH_EMISSION]),
         false => last.push(&PATH_NO_EMISSION),
@@ -90,7 +101,7 @@ pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     let target = prepared.target();
     let areas = prepared.lights.count(LightKind::Area) > 0;
     let mut programs = vec![camera(target), count(), compact(), sum()];
-    programs.extend(areas.then(emit));
+    programs.extend(areas.then(|| emit(target)));
     if seeks_light(settings) {
         programs.extend(prepared.lights.kinds().map(|kind| next_event(target, kind)));
     }
@@ -101,7 +112,7 @@ pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
 
 /// Every program of paths that traces rays.
 pub(super) fn all(target: Target) -> Vec<Program> {
-    let mut programs = vec![camera(target)];
+    let mut programs = vec![camera(target), emit(target)];
     programs.extend(LightKind::ALL.map(|kind| next_event(target, kind)));
     for areas in [false, true] {
         let kinds = [Bounces::Finite(1), Bounces::Unlimited];

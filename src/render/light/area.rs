@@ -68,9 +68,9 @@ pub fn places(table: &Table<AreaLightRecord>, count: u32, seed: u32) -> Vec<Virt
         // L cos θ over the density of light and position, of which there are `count`.
         let intensity =
             Vec3::from_array(light.radiance) * (light.area / (probability * count as f32));
-        lights.push(VirtualLight { position, normal, intensity });
+        lights.push(VirtualLight::diffuse(position, normal, intensity));
         if light.two_sided != 0 {
-            lights.push(VirtualLight { position, normal: -normal, intensity });
+            lights.push(VirtualLight::diffuse(position, -normal, intensity));
         }
     }
     lights

@@ -1,7 +1,7 @@
 //! The passes of paths, with the buffers of a wave bound to them.
 
 use crate::gpu::{CameraParams, GpuError, PathParams, PathRecord, PathSum, PointRecord, Program};
-use crate::render::kernels::{self, path as programs};
+use crate::render::kernels::path as programs;
 use crate::render::stages::{Named, Stage};
 use crate::render::{LightKind, Prepared, Settings};
 
@@ -78,6 +78,9 @@ impl Stages {
             ("places", &buffers.places),
             ("sums", &buffers.sums),
         ];
+        let mut named = named.to_vec();
+        named.extend(prepared.finishes.as_ref().map(|buffer| ("finishes", buffer)));
+        let named = &named[..];
         let bind = |program: Program| Stage::new(prepared, &program, named);
         let target = prepared.target();
         let mut lights = Vec::new();
@@ -89,7 +92,7 @@ impl Stages {
             }
         }
         let areas = prepared.lights.count(LightKind::Area) > 0;
-        let emit = areas.then(|| bind(kernels::emit())).transpose()?;
+        let emit = areas.then(|| bind(programs::emit(target))).transpose()?;
         let segment = programs::has_segments(settings, areas)
             .then(|| bind(programs::segment(target, settings.bounces, areas)));
         Ok(Self {

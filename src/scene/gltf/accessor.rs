@@ -96,6 +96,11 @@ impl<'a> Accessor<'a> {
         Self::open(source, index, &["VEC3", "VEC4"])
     }
 
+    /// Texture coordinates.
+    pub fn coordinates(source: &'a Source, index: usize) -> Result<Self, SceneError> {
+        Self::open(source, index, &["VEC2"])
+    }
+
     /// Indices of vertices.
     pub fn indices(source: &'a Source, index: usize) -> Result<Self, SceneError> {
         let accessor = Self::open(source, index, &["SCALAR"])?;
@@ -124,6 +129,7 @@ impl<'a> Accessor<'a> {
         let width = match json.kind.as_str() {
             "VEC4" => 4,
             "VEC3" => 3,
+            "VEC2" => 2,
             _ => 1,
         };
         let mut accessor = Self {
@@ -205,7 +211,7 @@ impl<'a> Accessor<'a> {
         self.numbers(element).map(|[number, ..]| number as usize)
     }
 
-    /// A position or colour of finite numbers.
+    /// An element of finite numbers; what it lacks of three is 0.
     pub fn vector(&self, element: usize) -> Result<DVec3, SceneError> {
         let [x, y, z, _] = self.numbers(element)?;
         let vector = DVec3::new(x, y, z);

@@ -22,6 +22,7 @@ pub struct Document {
     pub cameras: Vec<Camera>,
     pub materials: Vec<Material>,
     pub textures: Vec<Texture>,
+    pub samplers: Vec<Sampler>,
     pub images: Vec<Image>,
     pub accessors: Vec<Accessor>,
     pub buffer_views: Vec<BufferView>,
@@ -56,6 +57,14 @@ pub struct Light {
     pub kind: String,
     pub color: Option<[f64; 3]>,
     pub intensity: Option<f64>,
+    pub spot: Spot,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub struct Spot {
+    pub inner_cone_angle: Option<f64>,
+    pub outer_cone_angle: Option<f64>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -118,8 +127,10 @@ pub struct Camera {
 }
 
 #[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Perspective {
     pub yfov: f64,
+    pub aspect_ratio: Option<f64>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -131,6 +142,7 @@ pub struct Material {
     pub emissive_texture: Option<TextureInfo>,
     pub emissive_factor: Option<[f64; 3]>,
     pub alpha_mode: Option<String>,
+    pub alpha_cutoff: Option<f64>,
     pub double_sided: bool,
     pub extensions: Extensions,
 }
@@ -141,25 +153,55 @@ pub struct MetallicRoughness {
     pub base_color_factor: Option<[f64; 4]>,
     pub base_color_texture: Option<TextureInfo>,
     pub metallic_factor: Option<f64>,
+    pub roughness_factor: Option<f64>,
     pub metallic_roughness_texture: Option<TextureInfo>,
 }
 
 #[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
 pub struct TextureInfo {
     pub index: usize,
+    #[serde(default)]
+    pub tex_coord: usize,
+    #[serde(default)]
+    pub extensions: TextureExtensions,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub struct TextureExtensions {
+    #[serde(rename = "KHR_texture_transform")]
+    pub transform: Option<TextureTransform>,
+}
+
+#[derive(Debug, Default, Clone, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub struct TextureTransform {
+    pub offset: [f64; 2],
+    pub rotation: f64,
+    pub scale: Option<[f64; 2]>,
+    pub tex_coord: Option<usize>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub struct Texture {
     pub source: Option<usize>,
+    pub sampler: Option<usize>,
 }
 
 #[derive(Debug, Default, Deserialize)]
-#[serde(default)]
+#[serde(default, rename_all = "camelCase")]
+pub struct Sampler {
+    pub wrap_s: Option<u32>,
+    pub wrap_t: Option<u32>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
 pub struct Image {
-    pub name: Option<String>,
     pub uri: Option<String>,
+    pub buffer_view: Option<usize>,
 }
 
 #[derive(Debug, Deserialize)]

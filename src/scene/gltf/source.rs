@@ -11,9 +11,11 @@ use super::json::{Buffer, Document};
 use crate::error::SceneError;
 
 /// Extensions whose meaning is known, or that concern nothing that is rendered.
-const SUPPORTED: [&str; 4] = [
+const SUPPORTED: [&str; 6] = [
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_transmission",
     "KHR_mesh_quantization",
     "KHR_texture_transform",
 ];
@@ -133,7 +135,7 @@ impl Source {
         let Buffer { uri, byte_length } = buffer;
         let mut bytes = match (uri, binary) {
             (Some(uri), _) => match uri.strip_prefix("data:") {
-                Some(data) => decode(data).map_err(fault)?,
+                Some(data) => Self::decode(data).map_err(fault)?,
                 None => self.read_beside(uri, *byte_length).map_err(fault)?,
             },
             (None, Some(binary)) => binary.to_vec(),
@@ -153,17 +155,7 @@ impl Source {
 
     /// At most `length` bytes of a file.
     fn read_beside(&self, uri: &str, length: usize) -> Result<Vec<u8>, String> {
-        if uri.contains("://") || uri.starts_with("file:") {
-            return Err(format!("{uri} is not beside this file; download it and export again"));
-        }
-        let directory = self.path.parent().unwrap_or(Path::new(""));
-        // Most writers escape blanks and the like, some do not.
-        let names = [uri.to_owned(), unescape(uri)];
-        let path = names.iter().map(|name| directory.join(name)).find(|path| path.is_file());
-        let Some(path) = path else {
-            let path = directory.join(uri);
-            return Err(format!("{} is not there; put it beside this file", path.display()));
-        };
+        let path = self.beside(uri)?;
         let read = || {
             let mut bytes = Vec::new();
             File::open(&path)?.take(length as u64).read_to_end(&mut bytes)?;
@@ -172,6 +164,33 @@ impl Source {
         read().map_err(|error: std::io::Error| {
             format!("cannot read {}: {error}; check its rights", path.display())
         })
+    }
+
+    /// The file that a URI names.
+    pub fn beside(&self, uri: &str) -> Result<PathBuf, String> {
+        if uri.contains("://") || uri.starts_with("file:") {
+            return Err(format!("{uri} is not beside this file; download it and export again"));
+        }
+        let directory = self.path.parent().unwrap_or(Path::new(""));
+        // Most writers escape blanks and the like, some do not.
+        let names = [uri.to_owned(), unescape(uri)];
+        let path = names.iter().map(|name| directory.join(name)).find(|path| path.is_file());
+        path.ok_or_else(|| {
+            format!("{} is not there; put it beside this file", directory.join(uri).display())
+        })
+    }
+
+    /// The bytes of a data URI, after its `data:`.
+    pub fn decode(data: &str) -> Result<Vec<u8>, String> {
+        let Some((kind, content)) = data.split_once(',') else {
+            return Err("its data URI has no comma; export it again".to_owned());
+        };
+        if !kind.ends_with(";base64") {
+            return Err("its data URI is not in base64; export it again".to_owned());
+        }
+        BASE64
+            .decode(content.trim_end())
+            .map_err(|error| format!("its data URI is no base64: {error}; export it again"))
     }
 }
 
@@ -230,19 +249,6 @@ fn chunk(bytes: &[u8]) -> Result<Chunk<'_>, String> {
 
 fn word(bytes: &[u8], at: usize) -> Option<u32> {
     bytes.get(at..)?.first_chunk().map(|bytes| u32::from_le_bytes(*bytes))
-}
-
-/// The bytes of a data URI, after its `data:`.
-fn decode(data: &str) -> Result<Vec<u8>, String> {
-    let Some((kind, content)) = data.split_once(',') else {
-        return Err("its data URI has no comma; export it again".to_owned());
-    };
-    if !kind.ends_with(";base64") {
-        return Err("its data URI is not in base64; export it again".to_owned());
-    }
-    BASE64
-        .decode(content.trim_end())
-        .map_err(|error| format!("its data URI is no base64: {error}; export it again"))
 }
 
 /// Replaces %20 and the like.

@@ -1,18 +1,17 @@
 //! The triangles of the meshes.
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec3, Vec2};
 
 use super::accessor::Accessor;
 use super::json::{Node, Primitive};
 use super::source::Source;
+use super::texture::Layout;
 use crate::error::SceneError;
 use crate::scene::Warning;
+use crate::scene::mesh::Triangle;
 
 /// The most triangles of a scene. A few bytes of JSON can place a mesh very often.
 const MOST_TRIANGLES: usize = 1 << 26;
-
-/// Corners, and the material's index where there is one.
-pub type Triangle = ([DVec3; 3], Option<usize>);
 
 /// What gathers the triangles of all nodes.
 #[derive(Debug)]
@@ -22,11 +21,19 @@ pub struct Surfaces<'a> {
     without_surface: u64,
     coloured: u64,
     deformed: u64,
+    unplaced: u64,
 }
 
 impl<'a> Surfaces<'a> {
     pub fn new(source: &'a Source) -> Self {
-        Self { source, triangles: Vec::new(), without_surface: 0, coloured: 0, deformed: 0 }
+        Self {
+            source,
+            triangles: Vec::new(),
+            without_surface: 0,
+            coloured: 0,
+            deformed: 0,
+            unplaced: 0,
+        }
     }
 
     /// Adds the mesh of a node.
@@ -65,9 +72,16 @@ impl<'a> Surfaces<'a> {
                 "more than {MOST_TRIANGLES} triangles; simplify it, or place its meshes less often"
             )));
         }
+        let coordinates = self.coordinates(primitive)?;
         let vertex = |element: usize| {
             let element = indices.as_ref().map_or(Ok(element), |indices| indices.index(element))?;
-            self.finite(transform.transform_point3(positions.vector(element)?))
+            let uv = match &coordinates {
+                Some((coordinates, layout)) => {
+                    layout.place(coordinates.vector(element)?.truncate())
+                }
+                None => Vec2::ZERO,
+            };
+            Ok((self.finite(transform.transform_point3(positions.vector(element)?))?, uv))
         };
         let mirrored = transform.matrix3.determinant() < 0.0;
         let mut triangles = Vec::new();
@@ -75,11 +89,33 @@ impl<'a> Surfaces<'a> {
             let [a, b, c] = corners.of(triangle);
             // A mirrored mesh keeps its front.
             let [b, c] = if mirrored { [c, b] } else { [b, c] };
-            triangles.push(([vertex(a)?, vertex(b)?, vertex(c)?], primitive.material));
+            let [a, b, c] = [vertex(a)?, vertex(b)?, vertex(c)?];
+            triangles.push(Triangle {
+                corners: [a.0, b.0, c.0],
+                uvs: [a.1, b.1, c.1],
+                material: primitive.material,
+            });
         }
         self.triangles.append(&mut triangles);
         self.coloured += u64::from(self.is_coloured(primitive)?);
         Ok(())
+    }
+
+    /// The texture coordinates that the material of a primitive asks for.
+    fn coordinates(
+        &mut self,
+        primitive: &Primitive,
+    ) -> Result<Option<(Accessor<'a>, Layout)>, SceneError> {
+        let materials = &self.source.document.materials;
+        let Some(index) = primitive.material else { return Ok(None) };
+        let Some(layout) = Layout::of(self.source.item(materials, "material", index)?) else {
+            return Ok(None);
+        };
+        let Some(&accessor) = primitive.attributes.get(&format!("TEXCOORD_{}", layout.set)) else {
+            self.unplaced += 1;
+            return Ok(None);
+        };
+        Ok(Some((Accessor::coordinates(self.source, accessor)?, layout)))
     }
 
     fn finite(&self, position: DVec3) -> Result<DVec3, SceneError> {
@@ -131,7 +167,11 @@ impl<'a> Surfaces<'a> {
             self.deformed,
             "meshes have a skin or morph targets, not supported yet; undeformed",
         );
-        let changed = [colours, deformed].into_iter().flatten().map(Warning::changed);
+        let unplaced = some(
+            self.unplaced,
+            "meshes lack the texture coordinates that their materials ask for; 0 is used",
+        );
+        let changed = [colours, deformed, unplaced].into_iter().flatten().map(Warning::changed);
         points.map(Warning::note).into_iter().chain(changed).collect()
     }
 }

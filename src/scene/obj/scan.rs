@@ -1,11 +1,13 @@
-//! A first pass over the text of an OBJ file. It finds every fault with its line, and leaves
-//! to `tobj` a plain text it cannot misread: positions, polygons of absolute indices, and
-//! materials by number, line for line as in the file.
+//! A first pass over the text of an OBJ file. It finds every fault with its line, takes the
+//! texture coordinates, and leaves to `tobj` a plain text it cannot misread: positions,
+//! polygons of absolute indices, and materials by number, line for line as in the file.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::io::{BufRead, Read, Result as IoResult};
 use std::path::Path;
+
+use glam::{DVec2, Vec2};
 
 use crate::error::SceneError;
 use crate::scene::Warning;
@@ -26,9 +28,25 @@ pub struct Scan {
     pub names: Vec<Named>,
     /// What `mtllib` names, a whole line each.
     pub libraries: Vec<Named>,
+    /// Texture coordinates, from the image's bottom left.
+    coordinates: Vec<DVec2>,
+    /// Of each corner of the faces that `text` holds, the number of its texture coordinates,
+    /// counted from 1; 0 if it has none.
+    corners: Vec<u32>,
     pub warnings: Vec<Warning>,
     /// The first line of points, of a line, or of a face of fewer than three corners.
     pub without_surface: Option<usize>,
+}
+
+impl Scan {
+    /// The texture coordinates of all corners of faces, from the image's top left; 0 of those
+    /// that have none.
+    pub fn corner_uvs(&self) -> impl Iterator<Item = Vec2> + '_ {
+        self.corners.iter().map(|&number| {
+            let uv = (number as usize).checked_sub(1).and_then(|i| self.coordinates.get(i));
+            uv.map_or(Vec2::ZERO, |uv| DVec2::new(uv.x, 1.0 - uv.y).as_vec2())
+        })
+    }
 }
 
 /// Checks an OBJ file.
@@ -38,11 +56,13 @@ pub fn scan(file: &Path, text: &str) -> Result<Scan, SceneError> {
         line: 0,
         scan: Scan { text: "mtllib all\n".to_owned(), ..Scan::default() },
         vertices: 0,
-        last_index: (0, 0),
+        last_index: Last::default(),
+        last_coordinates: Last::default(),
         index_of: HashMap::new(),
         no_surface: Tally::default(),
         free_form: Tally::default(),
         homogeneous: Tally::default(),
+        no_coordinates: Tally::default(),
     };
     let mut lines = (1..).zip(text.lines());
     while let Some((line, first)) = lines.next() {
@@ -75,17 +95,31 @@ impl Tally {
     }
 }
 
+/// The largest index that a face uses, and its line: faces may come before what they name.
+#[derive(Debug, Default, Clone, Copy)]
+struct Last {
+    index: i64,
+    line: usize,
+}
+
+impl Last {
+    fn max(self, index: i64, line: usize) -> Self {
+        if index > self.index { Self { index, line } } else { self }
+    }
+}
+
 struct Scanner<'a> {
     file: &'a Path,
     line: usize,
     scan: Scan,
     vertices: i64,
-    /// The largest index a face uses, and its line: faces may come before their vertices.
-    last_index: (i64, usize),
+    last_index: Last,
+    last_coordinates: Last,
     index_of: HashMap<String, usize>,
     no_surface: Tally,
     free_form: Tally,
     homogeneous: Tally,
+    no_coordinates: Tally,
 }
 
 impl Scanner<'_> {
@@ -102,6 +136,10 @@ impl Scanner<'_> {
         let name = content[keyword.len()..].trim();
         match keyword {
             "v" => self.vertex(&words.collect::<Vec<_>>()),
+            "vt" => {
+                self.coordinates(words);
+                Ok(())
+            }
             "f" => self.face(&words.collect::<Vec<_>>()),
             "p" | "l" => {
                 self.no_surface.add(self.line);
@@ -153,25 +191,38 @@ impl Scanner<'_> {
         Ok(())
     }
 
-    /// A polygon; its texture and normal indices are left out.
-    fn face(&mut self, words: &[&str]) -> Result<(), SceneError> {
-        let mut indices = Vec::with_capacity(words.len());
-        for word in words {
-            indices.push(self.index(word)?);
+    /// `vt u`, `vt u v` or `vt u v w`. Some writers put no numbers where they have none.
+    fn coordinates<'a>(&mut self, mut words: impl Iterator<Item = &'a str>) {
+        let mut next = || words.next().map_or(Some(0.0), |word| word.parse::<f64>().ok());
+        let uv = next().zip(next()).map(|(u, v)| DVec2::new(u, v));
+        let uv = uv.filter(|uv| uv.as_vec2().is_finite());
+        if uv.is_none() {
+            self.no_coordinates.add(self.line);
         }
-        if indices.len() < 3 {
+        self.scan.coordinates.push(uv.unwrap_or_default());
+    }
+
+    /// A polygon; the indices of its normals are left out.
+    fn face(&mut self, words: &[&str]) -> Result<(), SceneError> {
+        let mut corners = Vec::with_capacity(words.len());
+        for word in words {
+            corners.push(self.corner(word)?);
+        }
+        if corners.len() < 3 {
             self.no_surface.add(self.line);
             return Ok(());
         }
         self.scan.text.push('f');
-        for index in indices {
-            let _ = write!(self.scan.text, " {index}");
+        for (vertex, coordinates) in corners {
+            let _ = write!(self.scan.text, " {vertex}");
+            self.scan.corners.push(u32::try_from(coordinates).unwrap_or(u32::MAX));
         }
         Ok(())
     }
 
-    /// The vertex of a corner such as `7`, `-1`, `7/3`, `7//2` or `7/3/2`, counted from 1.
-    fn index(&mut self, word: &str) -> Result<i64, SceneError> {
+    /// The vertex of a corner such as `7`, `-1`, `7/3`, `7//2` or `7/3/2`, counted from 1, and
+    /// its texture coordinates, 0 if it has none.
+    fn corner(&mut self, word: &str) -> Result<(i64, i64), SceneError> {
         let mut parts = word.split('/').map(|part| (part, part.parse::<i64>()));
         let Some((_, Ok(vertex))) = parts.next() else {
             return self.fault(format!("face: `{word}` does not begin with a vertex's number"));
@@ -181,17 +232,24 @@ impl Scanner<'_> {
             return self
                 .fault(format!("face: `{word}` is not of the form v, v/vt, v//vn, v/vt/vn"));
         }
-        let (vertices, line) = (self.vertices, self.line);
-        match vertex {
-            0 => self.fault("face: vertex 0; the first is 1"),
-            1.. => {
-                self.last_index = self.last_index.max((vertex, line));
-                Ok(vertex)
+        let vertex = self.absolute("vertex", vertex, self.vertices)?;
+        self.last_index = self.last_index.max(vertex, self.line);
+        let Some((_, Ok(coordinates))) = rest.first() else { return Ok((vertex, 0)) };
+        let there = self.scan.coordinates.len() as i64;
+        let coordinates = self.absolute("texture coordinates", *coordinates, there)?;
+        self.last_coordinates = self.last_coordinates.max(coordinates, self.line);
+        Ok((vertex, coordinates))
+    }
+
+    /// An index counted from 1, of one that may count from the end of what is there so far.
+    fn absolute(&self, what: &str, index: i64, there: i64) -> Result<i64, SceneError> {
+        match index {
+            0 => self.fault(format!("face: {what} 0; the first is 1")),
+            1.. => Ok(index),
+            _ if index < -there => {
+                self.fault(format!("face: {what} {index}, but there are {there} so far"))
             }
-            _ if vertex < -vertices => {
-                self.fault(format!("face: vertex {vertex}, but there are {vertices} so far"))
-            }
-            _ => Ok(vertices + 1 + vertex),
+            _ => Ok(there + 1 + index),
         }
     }
 
@@ -205,11 +263,15 @@ impl Scanner<'_> {
     }
 
     fn finish(mut self) -> Result<Scan, SceneError> {
-        let (index, line) = self.last_index;
-        if index > self.vertices {
-            self.line = line;
-            let vertices = self.vertices;
-            return self.fault(format!("face: vertex {index}, but there are {vertices}"));
+        let coordinates = self.scan.coordinates.len() as i64;
+        for (what, last, there) in [
+            ("vertex", self.last_index, self.vertices),
+            ("texture coordinates", self.last_coordinates, coordinates),
+        ] {
+            if last.index > there {
+                self.line = last.line;
+                return self.fault(format!("face: {what} {}, but there are {there}", last.index));
+            }
         }
         let notes = [
             (&self.no_surface, "points, lines or faces of fewer than three corners are left out"),
@@ -222,8 +284,11 @@ impl Scanner<'_> {
         };
         let mut warnings: Vec<Warning> =
             notes.into_iter().filter_map(some).map(Warning::note).collect();
-        let free_form = (&self.free_form, "free-form curves or surfaces are left out");
-        warnings.extend(some(free_form).map(Warning::changed));
+        let changes = [
+            (&self.free_form, "free-form curves or surfaces are left out"),
+            (&self.no_coordinates, "texture coordinates are no finite numbers; 0 is used"),
+        ];
+        warnings.extend(changes.into_iter().filter_map(some).map(Warning::changed));
         let Tally { count, first } = self.no_surface;
         Ok(Scan { warnings, without_surface: (count > 0).then_some(first), ..self.scan })
     }

@@ -7,8 +7,8 @@ use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, EulerRot};
 
 use crate::error::SceneError;
 use crate::scene::document::{Section, Value};
-use crate::scene::gltf::{self, Gltf};
-use crate::scene::{Draft, obj};
+use crate::scene::mesh::Mesh;
+use crate::scene::{Draft, gltf, obj};
 
 /// Least volume that a transform may make of a unit cube, over that of the box with edges
 /// as long: less is rounding.
@@ -23,69 +23,25 @@ pub fn read(
     section.only(&["file", "material", "translate", "rotate", "scale", "matrix"])?;
     let transform = transform(section)?;
     let mesh = load(section)?;
-    // A mirrored mesh must emit to the mirrored side.
-    let mirrored = transform.matrix3.determinant() < 0.0;
-    let place = move |corners: [DVec3; 3]| {
-        let [a, b, c] = corners.map(|corner| transform.transform_point3(corner));
-        if mirrored { [a, c, b] } else { [a, b, c] }
-    };
     let Some(material) = section.get("material") else {
-        return mesh.add_to(draft, materials, place);
+        return mesh.add_to(draft, materials, &transform);
     };
     let name = material.string()?;
     let index = match materials.get(name) {
         Some(&index) => Some(index),
-        None => mesh.library_material(draft, name)?,
+        None => mesh.add_material(draft, name)?,
     };
     let Some(index) = index else {
         let what =
             format!("names no material: `{name}` is not in [materials], nor among the mesh's own");
         return Err(material.fault(&what));
     };
-    mesh.add_all_of(draft, index, place);
+    mesh.add_all_of(draft, index, &transform);
     Ok(())
 }
 
-/// A mesh of any format. The camera and lights of a glTF file are not used: the scene file
-/// has its own.
-enum Mesh {
-    Obj(obj::Mesh),
-    Gltf(Box<Gltf>),
-}
-
-impl Mesh {
-    fn add_to(
-        self,
-        draft: &mut Draft,
-        overrides: &HashMap<String, u32>,
-        place: impl Fn([DVec3; 3]) -> [DVec3; 3],
-    ) -> Result<(), SceneError> {
-        match self {
-            Self::Obj(mesh) => mesh.add_to(draft, overrides, place),
-            Self::Gltf(mesh) => mesh.add_to(draft, overrides, place),
-        }
-    }
-
-    fn add_all_of(
-        self,
-        draft: &mut Draft,
-        material: u32,
-        place: impl Fn([DVec3; 3]) -> [DVec3; 3],
-    ) {
-        match self {
-            Self::Obj(mesh) => mesh.add_all_of(draft, material, place),
-            Self::Gltf(mesh) => mesh.add_all_of(draft, material, place),
-        }
-    }
-
-    fn library_material(&self, draft: &mut Draft, name: &str) -> Result<Option<u32>, SceneError> {
-        match self {
-            Self::Obj(mesh) => mesh.library_material(draft, name),
-            Self::Gltf(mesh) => mesh.library_material(draft, name),
-        }
-    }
-}
-
+/// Reads a mesh of any format. The camera and lights of a glTF file are not used: the scene
+/// file has its own.
 fn load(section: &Section) -> Result<Mesh, SceneError> {
     let file = section.required("file")?;
     let name = file.string()?;
@@ -95,8 +51,8 @@ fn load(section: &Section) -> Result<Mesh, SceneError> {
         Some("obj" | "gltf" | "glb") if !path.exists() => {
             Err(file.fault(&format!("names {}, which is not there", path.display())))
         }
-        Some("obj") => obj::read(&path).map(Mesh::Obj),
-        Some("gltf" | "glb") => gltf::read(&path).map(|mesh| Mesh::Gltf(Box::new(mesh))),
+        Some("obj") => obj::read(&path),
+        Some("gltf" | "glb") => gltf::read(&path).map(|(mesh, _)| mesh),
         _ => Err(file.fault("names an unknown kind of mesh; give an .obj, .gltf or .glb")),
     }
 }

@@ -1,0 +1,23 @@
+// What surfaces reflect beside their diffuse part.
+
+struct Finish {
+    // Phong: k_s; mirror: reflectance; glass: what goes on of the light.
+    specular: vec3f,
+    kind: u32,
+    // Phong: shininess; glass: index of refraction of the inside over that of the outside.
+    parameter: f32,
+    // Phong: with which probability a direction is drawn from the lobe.
+    gloss: f32,
+    pad0: u32,
+    pad1: u32,
+}
+
+const PHONG = 1u;
+const MIRROR = 2u;
+const GLASS = 3u;
+
+@group(0) @binding(40) var<storage, read> finishes: array<Finish>;
+
+fn finish_of(point: Point) -> Finish {
+    return finishes[point.surface & ~FRONT];
+}

@@ -1,0 +1,10 @@
+// What a point gathers where some surfaces are glossy: irradiance, and irradiance weighted by the
+// Phong lobe over that of a white diffuse surface; in w, the mean of the channels that the clamp
+// removed.
+
+alias Gathered = mat2x4f;
+
+// The light of one, and what was removed from the other.
+fn with_removed(gathered: Gathered, other: Gathered) -> Gathered {
+    return Gathered(vec4f(gathered[0].rgb, other[0].w), vec4f(gathered[1].rgb, other[1].w));
+}

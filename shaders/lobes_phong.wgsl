@@ -1,0 +1,48 @@
+// How points gather and reflect light where some surfaces are glossy.
+
+struct Receiver {
+    point: Point,
+    mirrored: vec3f,
+    shininess: f32,
+    // The lobe at its peak over 1 / pi: (n + 2) / 2; 0 without a lobe.
+    peak: f32,
+}
+
+fn receiver_of(point: Point) -> Receiver {
+    if point.surface == NOTHING { return Receiver(point, vec3f(0.0), 0.0, 0.0); }
+    let finish = finish_of(point);
+    let peak = select(0.0, 0.5 * finish.parameter + 1.0, finish.kind == PHONG);
+    return Receiver(point, mirrored_view(point), finish.parameter, peak);
+}
+
+// Light from a unit direction that gives this irradiance.
+fn arriving(point: Point, toward: vec3f, irradiance: vec3f) -> Gathered {
+    let receiver = receiver_of(point);
+    let gloss = receiver.peak * lobe(receiver.mirrored, toward, receiver.shininess);
+    return Gathered(vec4f(irradiance, 0.0), vec4f(irradiance * gloss, 0.0));
+}
+
+// Phong's reflectance over that of a white diffuse surface; other finishes' are not gathered.
+fn specular_of(point: Point) -> vec3f {
+    let finish = finish_of(point);
+    return select(vec3f(0.0), finish.specular, finish.kind == PHONG);
+}
+
+// The radiance that a point reflects of what it has gathered.
+fn reflected(point: Point, albedo: vec3f, gathered: Gathered) -> vec3f {
+    return (gathered[0].rgb * albedo + gathered[1].rgb * specular_of(point)) / PI;
+}
+
+// Means of the radiance that is reflected, and of that which the clamp removed: it would be
+// reflected as the light that is kept.
+fn kept_and_removed(point: Point, albedo: vec3f, gathered: Gathered) -> vec2f {
+    return part_kept_and_removed(albedo, gathered[0])
+        + part_kept_and_removed(specular_of(point), gathered[1]);
+}
+
+fn part_kept_and_removed(reflectance: vec3f, gathered: vec4f) -> vec2f {
+    let mean = (gathered.r + gathered.g + gathered.b) / 3.0;
+    let kept = dot(gathered.rgb, reflectance) / (3.0 * PI);
+    let plain = (reflectance.r + reflectance.g + reflectance.b) / (3.0 * PI);
+    return vec2f(kept, gathered.w * select(plain, kept / mean, mean > 0.0));
+}

@@ -1,0 +1,44 @@
+// How a surface with a Phong lobe scatters light: BRDF albedo / pi + k_s (n + 2) / 2 pi cos^n;
+// directions by the cosine, or by cos^n about the mirrored direction. The twin of
+// src/render/scatter.rs.
+
+struct Scattered {
+    direction: vec3f,
+    // BRDF times cosine over the density.
+    weight: vec3f,
+    // Density of the direction by solid angle, over its cosine.
+    density: f32,
+}
+
+// Towards a unit direction.
+fn brdf(point: Point, albedo: vec3f, toward: vec3f) -> vec3f {
+    let receiver = receiver_of(point);
+    let gloss = receiver.peak * lobe(receiver.mirrored, toward, receiver.shininess);
+    return (albedo + specular_of(point) * gloss) / PI;
+}
+
+// The density with which `scatter` draws a unit direction, by solid angle, over its cosine.
+fn scatter_density(point: Point, albedo: vec3f, toward: vec3f) -> f32 {
+    let finish = finish_of(point);
+    let n = finish.parameter;
+    let gloss = (n + 1.0) / (2.0 * PI) * lobe(mirrored_view(point), toward, n);
+    let cosine = max(dot(point.normal, toward), 1e-6);
+    return (1.0 - finish.gloss) / PI + finish.gloss * gloss / cosine;
+}
+
+fn scatter(point: Point, albedo: vec3f, u: vec2f) -> Scattered {
+    let finish = finish_of(point);
+    // One number chooses, and what is left of it is uniform again.
+    let glossy = u.x < finish.gloss;
+    let share = select(1.0 - finish.gloss, finish.gloss, glossy);
+    let rest = vec2f(clamp((u.x - select(finish.gloss, 0.0, glossy)) / share, 0.0, 1.0), u.y);
+    let cosine = pow(1.0 - rest.x, 1.0 / (finish.parameter + 1.0));
+    let sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+    let turn = 2.0 * PI * rest.y;
+    let about = vec3f(sine * cos(turn), sine * sin(turn), cosine);
+    let by_lobe = normalize(frame_about(mirrored_view(point)) * about);
+    let direction = select(cosine_hemisphere(point.normal, rest), by_lobe, glossy);
+    let density = scatter_density(point, albedo, direction);
+    let weight = brdf(point, albedo, direction) / density;
+    return Scattered(direction, select(vec3f(0.0), weight, dot(direction, point.normal) > 0.0), density);
+}

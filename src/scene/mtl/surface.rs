@@ -1,0 +1,189 @@
+//! What a material of MTL looks like.
+//!
+//! Its kind is told by `illum`, `d` and `Ks`. Of what light a glass lets on, `Tf` is the share
+//! where it is given and not black: files hold black or no `Ks` for glass that is clear.
+
+use glam::DVec3;
+
+use super::{DEFAULT_ALBEDO, Map, MtlMaterial};
+use crate::error::SceneError;
+use crate::scene::texture::{Part, read_image};
+use crate::scene::{Draft, DraftMaterial, Finish, Origin, Warning, normalise};
+
+/// Exponent from which on a highlight is a mirror's.
+const MIRROR_SHININESS: f64 = 1000.0;
+
+/// The largest exponent that can be rendered.
+const MOST_SHININESS: f64 = 1e6;
+
+/// Index of refraction of what gives none, or none that can be.
+const DEFAULT_REFRACTION: f64 = 1.5;
+
+/// How light leaves a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Diffuse,
+    Phong,
+    Mirror,
+    Glass,
+}
+
+/// What a reading of a material found fault with.
+#[derive(Debug, Default)]
+struct Faults {
+    changes: Vec<String>,
+    notes: Vec<String>,
+}
+
+impl MtlMaterial {
+    /// Adds the material and its textures, with one warning about what of it is not shown.
+    pub fn add_to(&self, draft: &mut Draft) -> Result<u32, SceneError> {
+        let mut faults = Faults::default();
+        let kind = self.kind();
+        let (albedo, finish) = self.reflection(kind, &mut faults);
+        let emission = self.emission.filter(|&e| self.emission_map.is_none() || e != DVec3::ZERO);
+        let unlit = if self.emission_map.is_some() { DVec3::ONE } else { DVec3::ZERO };
+        if self.emission == Some(DVec3::ZERO) && self.emission_map.is_some() {
+            faults.notes.push("has a map_Ke over a Ke of 0, read as 1".to_owned());
+        }
+        let specular = finish.is_specular();
+        if specular && self.diffuse_map.is_some() {
+            faults.changes.push("has a map_Kd, which nothing mirrors by; left out".to_owned());
+        }
+        if !self.other_maps.is_empty() {
+            let maps = self.other_maps.join(", ");
+            faults.changes.push(format!("has {maps}, which are not shown; left out"));
+        }
+        draft.warnings.extend(self.warning(faults));
+        let diffuse_map = self.diffuse_map.as_ref().filter(|_| !specular);
+        let material = DraftMaterial {
+            name: self.name.clone(),
+            albedo,
+            texture: diffuse_map.map(|map| self.texture(draft, map, Part::Color)),
+            cutout: self.opacity_map.as_ref().map(|map| self.texture(draft, map, Part::Opacity)),
+            finish,
+            emission: emission.unwrap_or(unlit),
+            emission_texture: self
+                .emission_map
+                .as_ref()
+                .map(|map| self.texture(draft, map, Part::Color)),
+            two_sided: false,
+            origin: Origin::line(&self.file, self.line),
+        };
+        draft.add_material(material)
+    }
+
+    fn kind(&self) -> Kind {
+        let opacity = self.dissolve.unwrap_or(1.0 - self.transparency);
+        let illumination = self.illumination;
+        let black = self.diffuse.unwrap_or_default() == DVec3::ZERO && self.diffuse_map.is_none();
+        let see_through = opacity < 1.0 && self.opacity_map.is_none();
+        if [4.0, 6.0, 7.0, 9.0].contains(&illumination) || see_through {
+            Kind::Glass
+        } else if self.specular == DVec3::ZERO {
+            Kind::Diffuse
+        } else if [3.0, 5.0].contains(&illumination)
+            && (black || self.shininess >= MIRROR_SHININESS)
+        {
+            Kind::Mirror
+        } else {
+            Kind::Phong
+        }
+    }
+
+    /// Albedo and finish, made to reflect no more than they receive.
+    fn reflection(&self, kind: Kind, faults: &mut Faults) -> (DVec3, Finish) {
+        let mut within = |what: &str, sum: DVec3| {
+            let most = sum.max_element();
+            if most <= 1.0 {
+                return 1.0;
+            }
+            faults
+                .changes
+                .push(format!("reflects more than it receives ({what} = {most:.4}), scaled to 1"));
+            most
+        };
+        // Division may round up.
+        let scaled =
+            |value: DVec3, by: f64| if by > 1.0 { (value / by).min(DVec3::ONE) } else { value };
+        match kind {
+            Kind::Mirror => {
+                let by = within("Ks", self.specular);
+                let specular = normalise::round(scaled(self.specular, by));
+                (DVec3::ZERO, Finish::Mirror { specular })
+            }
+            Kind::Glass => {
+                let tint = self.transmission.filter(|&tint| tint != DVec3::ZERO);
+                let tint = tint.unwrap_or(DVec3::ONE);
+                let by = within("Tf", tint);
+                let specular = normalise::round(scaled(tint, by));
+                let given = self.refraction.unwrap_or(DEFAULT_REFRACTION);
+                let possible = (0.1..=10.0).contains(&given);
+                if !possible {
+                    faults.changes.push(format!("has an impossible Ni of {given}, 1.5 is used"));
+                }
+                let ior = if possible { given } else { DEFAULT_REFRACTION } as f32;
+                (DVec3::ZERO, Finish::Glass { specular, ior })
+            }
+            Kind::Phong => {
+                let by = within("Kd + Ks", self.albedo() + self.specular);
+                let specular = normalise::round(scaled(self.specular, by));
+                let shininess = self.shininess.clamp(0.0, MOST_SHININESS) as f32;
+                let albedo = scaled(self.albedo(), by);
+                self.note_albedo(faults);
+                (albedo, Finish::Phong { specular, shininess })
+            }
+            Kind::Diffuse => {
+                let by = within("Kd", self.albedo());
+                let albedo = scaled(self.albedo(), by);
+                self.note_albedo(faults);
+                (albedo, Finish::Diffuse)
+            }
+        }
+    }
+
+    /// A colour of 0 would make its map of no use.
+    fn albedo(&self) -> DVec3 {
+        let emits = self.emission.is_some() || self.emission_map.is_some();
+        match self.diffuse {
+            Some(DVec3::ZERO) | None if self.diffuse_map.is_some() => DVec3::ONE,
+            Some(diffuse) => diffuse,
+            None if emits => DVec3::ZERO,
+            None => DEFAULT_ALBEDO,
+        }
+    }
+
+    fn note_albedo(&self, faults: &mut Faults) {
+        let emits = self.emission.is_some() || self.emission_map.is_some();
+        match (self.diffuse, &self.diffuse_map) {
+            (Some(DVec3::ZERO), Some(_)) => {
+                faults.notes.push("has a map_Kd over a Kd of 0, read as 1".to_owned());
+            }
+            (None, None) if !emits => faults.notes.push("has no Kd, 0.8 is used".to_owned()),
+            _ => {}
+        }
+    }
+
+    /// The texture of a map; what of its options is not shown is a warning.
+    fn texture(&self, draft: &mut Draft, map: &Map, part: Part) -> u32 {
+        let origin = Origin::line(&self.file, map.line);
+        if !map.ignored.is_empty() {
+            let (keyword, options) = (&map.keyword, map.ignored.join(", "));
+            let what = format!("{keyword} has {options}, not supported; left out");
+            draft.warnings.push(origin.changed(what));
+        }
+        let path = map.path(&self.file);
+        let image = draft.image(&path, part, &origin, || read_image(&path));
+        draft.add_texture(map.texture(image))
+    }
+
+    fn warning(&self, Faults { changes, notes }: Faults) -> Option<Warning> {
+        let changes_image = !changes.is_empty();
+        let faults = [changes, notes].concat();
+        let message = || {
+            let Self { file, line, name, .. } = self;
+            format!("{}:{line}: material `{name}` {}", file.display(), faults.join("; "))
+        };
+        (!faults.is_empty()).then(|| Warning { changes_image, ..Warning::note(message()) })
+    }
+}
