@@ -199,12 +199,12 @@ fn lights_of_several_kinds_share_the_paths() {
 fn one_bounce_of_a_spot_light() {
     let mut build = Build::open_room();
     build.spot_light(dvec3(0.5, -1.0, 1.2), dvec3(-0.6, 1.0, -1.5), [9.0, 8.0, 7.0], [10.0, 40.0]);
-    one_bounce_agrees(&build.scene(), "spot");
+    one_bounce_agrees(&build.scene(), 1 << 14, "spot");
 }
 
 #[test]
 fn one_bounce_of_a_directional_light() {
     let mut build = Build::open_room();
     build.directional_light(dvec3(-0.5, 1.0, -1.2), [3.0, 2.5, 2.0]);
-    one_bounce_agrees(&build.scene(), "directional");
+    one_bounce_agrees(&build.scene(), 1 << 14, "directional");
 }

@@ -402,4 +402,8 @@ pub struct PathParams {
     /// Density of the places drawn on an area light over its mean radiance and its sides; 0 if
     /// emission that the next segment finds does not count.
     pub light_density: f32,
+    /// 1 if the environment that the next segment escapes to counts, else 0.
+    pub background: f32,
+    /// Unused.
+    pub pad: [u32; 3],
 }

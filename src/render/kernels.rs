@@ -4,19 +4,21 @@ pub mod path;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::{Clamp, Direct, LightKind, Method, Prepared, Settings, Target};
+use super::{Clamp, Direct, LightKind, Method, Prepared, Settings, Sky, Target};
 use crate::gpu::module::{
-    ALBEDO_PLAIN, ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, DIRECT,
-    DIRECT_EXACT, DIRECT_SAMPLED, DIRECTIONAL_LIGHT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT,
-    EMITTER_SURFACE, EXPAND, FINISH, FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE,
-    GATHERED_PHONG, GLASS, HIT_POINT, INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE,
-    LIGHT_SAMPLE, LOBES_DIFFUSE, LOBES_PHONG, LOCAL_LIGHT, MIRROR, ONE_SURFACE, PACKET_RAYS,
-    PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PHONG, PIXELS,
-    POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY,
-    SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SHOW_ALBEDO, SHOW_DEPTH,
-    SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, SPOT_LIGHT, THROUGHPUT_KEPT, THROUGHPUT_NONE,
-    TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES, VIEW_KEPT,
-    VIEW_NONE, VISIBILITY, VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
+    ALBEDO_PLAIN, ANTIALIAS, AREA_LIGHT, BACKGROUND, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE,
+    DIRECT, DIRECT_EXACT, DIRECT_SAMPLED, DIRECTIONAL_LIGHT, DRAW_ONE, DRAW_RESAMPLED, EMIT,
+    EMITTER_POINT, EMITTER_SURFACE, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
+    ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, EXPAND, FINISH, FOLLOW_NONE,
+    FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS, HEMISPHERE, HIT_POINT,
+    INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LIGHT_SAMPLE, LOBES_DIFFUSE, LOBES_PHONG,
+    LOCAL_LIGHT, MIRROR, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE,
+    PAIR_GLOSSY, PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE,
+    ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE,
+    SHADE_GLOSSY, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED,
+    SPOT_LIGHT, THROUGHPUT_KEPT, THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER,
+    TURN_GLASS, TURN_MIRROR, TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_KEPT, VIEW_NONE,
+    VISIBILITY, VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
 };
 use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
 
@@ -34,7 +36,12 @@ pub fn visible_points(target: Target) -> Program {
 
 /// More camera rays where pixels see edges.
 pub fn antialias(target: Target) -> Program {
-    let modules = camera_rays(target, &[throughput(target), &ONE_SURFACE, &ANTIALIAS]);
+    let unseen = match sky(target) {
+        Some(sky) => [&sky[..], &[&UNSEEN_BACKGROUND]].concat(),
+        None => vec![&UNSEEN_NONE],
+    };
+    let last = [&unseen[..], &[throughput(target), &ONE_SURFACE, &ANTIALIAS]].concat();
+    let modules = camera_rays(target, &last);
     Program { label: "antialiasing", modules }
 }
 
@@ -82,12 +89,23 @@ fn throughput(target: Target) -> &'static Module {
 }
 
 /// What a kernel needs to draw from the lights of a kind.
-fn lights_of(kind: LightKind) -> Vec<&'static Module> {
+fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
     match kind {
         LightKind::Point => vec![&LIGHT_SAMPLE, &POINT_LIGHT, &LOCAL_LIGHT],
         LightKind::Spot => vec![&LIGHT_SAMPLE, &SPOT_LIGHT, &LOCAL_LIGHT],
         LightKind::Directional => vec![&LIGHT_SAMPLE, &DIRECTIONAL_LIGHT],
         LightKind::Area => vec![&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT],
+        LightKind::Environment => match target.features.sky {
+            Sky::Image => vec![
+                &LIGHT_SAMPLE,
+                &ENVIRONMENT_IMAGE,
+                &ENVIRONMENT_CELLS,
+                &ENVIRONMENT_LIGHT_IMAGE,
+            ],
+            _ => {
+                vec![&LIGHT_SAMPLE, &HEMISPHERE, &ENVIRONMENT_CONSTANT, &ENVIRONMENT_LIGHT_CONSTANT]
+            }
+        },
     }
 }
 
@@ -97,7 +115,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING];
     modules.extend(lobes(target));
     modules.extend([&RAY, traverse(target), &DIRECT]);
-    modules.extend(lights_of(kind));
+    modules.extend(lights_of(target, kind));
     match kind.is_exact() {
         true => modules.push(&DIRECT_EXACT),
         false => modules.extend([if many { &DRAW_RESAMPLED } else { &DRAW_ONE }, &DIRECT_SAMPLED]),
@@ -107,6 +125,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
         LightKind::Spot => "direct light, spots",
         LightKind::Directional => "direct light, directional",
         LightKind::Area => "direct light, areas",
+        LightKind::Environment => "direct light, environment",
     };
     Program { label, modules }
 }
@@ -169,7 +188,7 @@ impl Emitter {
         match kind {
             LightKind::Point => Some(Self::Point),
             LightKind::Area => Some(Self::Surface),
-            LightKind::Spot | LightKind::Directional => None,
+            LightKind::Spot | LightKind::Directional | LightKind::Environment => None,
         }
     }
 
@@ -258,6 +277,28 @@ pub fn emit() -> Program {
     Program { label: "emission", modules: vec![&TYPES, &THROUGHPUT_NONE, &EMIT] }
 }
 
+/// Radiance of the environment towards the camera.
+pub fn background(target: Target) -> Option<Program> {
+    let sky = sky(target)?;
+    let modules = [&[&TYPES][..], &sky, &[&THROUGHPUT_NONE, &BACKGROUND]].concat();
+    Some(Program { label: "background", modules })
+}
+
+/// What the camera sees emitted in a scene.
+pub fn emitted(prepared: &Prepared) -> Vec<Program> {
+    let areas = prepared.lights.count(LightKind::Area) > 0;
+    areas.then(emit).into_iter().chain(background(prepared.target())).collect()
+}
+
+/// The radiance of the environment, if there is one.
+fn sky(target: Target) -> Option<Vec<&'static Module>> {
+    match target.features.sky {
+        Sky::None => None,
+        Sky::Constant => Some(vec![&ENVIRONMENT_CONSTANT]),
+        Sky::Image => Some(vec![&ENVIRONMENT_IMAGE]),
+    }
+}
+
 /// What visible points have gathered to reflected radiance.
 pub fn reflect(target: Target) -> Program {
     let modules = [&[&TYPES][..], &lobes(target), &[&ALBEDO_PLAIN, &REFLECT]].concat();
@@ -304,9 +345,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         true => programs.push(antialias(target)),
         false => programs.extend(target.features.specular().then(|| resolve(target))),
     }
-    if prepared.lights.count(LightKind::Area) > 0 {
-        programs.push(emit());
-    }
+    programs.extend(emitted(prepared));
     let kinds = || prepared.lights.kinds();
     if settings.direct != Direct::Off {
         for kind in kinds() {
@@ -377,6 +416,11 @@ impl Kernels {
     }
 }
 
+/// Whether there are programs for a kind of lights: not for an environment that is not there.
+fn has_kind(target: Target, kind: LightKind) -> bool {
+    kind != LightKind::Environment || target.features.sky.shines()
+}
+
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
     let mut programs = vec![emit(), expand(), separate()];
@@ -388,7 +432,8 @@ pub fn all_programs() -> Vec<Program> {
         programs.extend([visible_points(target), antialias(target), resolve(target)]);
         programs.extend([reflect(target), removed(target), combine(target)]);
         programs.extend([false, true].map(|probed| collect(target, probed)));
-        for kind in LightKind::ALL {
+        programs.extend(background(target));
+        for kind in LightKind::ALL.into_iter().filter(|&kind| has_kind(target, kind)) {
             programs.extend([false, true].map(|many| direct(target, kind, many)));
         }
         let sharing = [Sharing::Cluster, Sharing::Fuzzy];

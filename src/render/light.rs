@@ -3,6 +3,7 @@
 mod area;
 mod bounds;
 mod directional;
+mod environment;
 mod point;
 mod table;
 
@@ -19,6 +20,7 @@ use crate::sampling::SURFACE_OFFSET;
 use crate::scene::Scene;
 
 pub use bounds::Bounds;
+pub use environment::EnvironmentLight;
 pub use table::{Share, Table};
 
 /// The kinds of light sources, each with a table and passes of its own.
@@ -32,11 +34,14 @@ pub enum LightKind {
     Directional,
     /// Emitting triangles.
     Area,
+    /// Light from all directions.
+    Environment,
 }
 
 impl LightKind {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Point, Self::Spot, Self::Directional, Self::Area];
+    pub const ALL: [Self; 5] =
+        [Self::Point, Self::Spot, Self::Directional, Self::Area, Self::Environment];
 
     /// Whether it takes one shadow ray to know what a light gives to a point: it has no extent.
     pub fn is_exact(self) -> bool {
@@ -62,6 +67,8 @@ pub struct Lights {
     pub spot: Table<SpotLightRecord>,
     /// Lights infinitely far away.
     pub directional: Table<DirectionalLightRecord>,
+    /// Light from all directions, if it is not black.
+    pub environment: Option<EnvironmentLight>,
     /// Where those shine.
     bounds: Bounds,
 }
@@ -84,6 +91,7 @@ impl Lights {
             point: point::points(scene),
             spot: point::spots(scene),
             directional: directional::directional(scene, &bounds),
+            environment: EnvironmentLight::of(scene, &bounds),
             bounds,
         }
     }
@@ -95,6 +103,7 @@ impl Lights {
             LightKind::Spot => self.spot.records.len(),
             LightKind::Directional => self.directional.records.len(),
             LightKind::Area => self.area.records.len(),
+            LightKind::Environment => usize::from(self.environment.is_some()),
         };
         count as u32
     }
@@ -111,6 +120,7 @@ impl Lights {
             LightKind::Spot => self.spot.power,
             LightKind::Directional => self.directional.power,
             LightKind::Area => self.area.power,
+            LightKind::Environment => self.environment.as_ref().map_or(0.0, |light| light.power),
         }
     }
 
@@ -131,6 +141,10 @@ impl Lights {
                 gpu.storage_of("directional lights", &self.directional.records)
             }
             LightKind::Area => gpu.storage_of("area lights", &self.area.records),
+            LightKind::Environment => {
+                let words = self.environment.as_ref().map_or(Vec::new(), EnvironmentLight::words);
+                gpu.storage_of("environment", &words)
+            }
         }
     }
 
@@ -156,10 +170,15 @@ impl Lights {
 
     /// The start of a light path, from a light drawn by power with `choice`, and at a place and in
     /// a direction drawn with `u`; none if no light has any power.
-    pub fn start(&self, choice: f32, u: [f32; 4]) -> Option<Start> {
+    pub fn start(&self, scene: &Scene, choice: f32, u: [f32; 4]) -> Option<Start> {
         /// Area lights are first, as always: what a seed gives is to stay.
-        const ORDER: [LightKind; 4] =
-            [LightKind::Area, LightKind::Point, LightKind::Spot, LightKind::Directional];
+        const ORDER: [LightKind; 5] = [
+            LightKind::Area,
+            LightKind::Point,
+            LightKind::Spot,
+            LightKind::Directional,
+            LightKind::Environment,
+        ];
         let lit = || ORDER.into_iter().filter(|&kind| self.power(kind) > 0.0);
         let total: f64 = lit().map(|kind| self.power(kind)).sum();
         let mut target = f64::from(choice) * total;
@@ -168,7 +187,7 @@ impl Lights {
             let power = self.power(kind);
             if target < power || kind == last {
                 let at = (target / power).min(1.0);
-                let (start, probability) = self.start_of(kind, at, u)?;
+                let (start, probability) = self.start_of(scene, kind, at, u)?;
                 let probability = (power / total * f64::from(probability)) as f32;
                 return Some(Start { flux: start.flux / probability, ..start });
             }
@@ -178,7 +197,13 @@ impl Lights {
     }
 
     /// From the light of a kind whose interval of probability holds `at`, and its probability.
-    fn start_of(&self, kind: LightKind, at: f64, u: [f32; 4]) -> Option<(Start, f32)> {
+    fn start_of(
+        &self,
+        scene: &Scene,
+        kind: LightKind,
+        at: f64,
+        u: [f32; 4],
+    ) -> Option<(Start, f32)> {
         Some(match kind {
             LightKind::Area => {
                 let (light, probability, rest) = self.area.at(at)?;
@@ -195,6 +220,11 @@ impl Lights {
             LightKind::Directional => {
                 let (light, probability, _) = self.directional.at(at)?;
                 (directional::start(light, &self.bounds, u), probability)
+            }
+            LightKind::Environment => {
+                let (light, environment) =
+                    (self.environment.as_ref()?, scene.environment.as_ref()?);
+                (light.start(environment, &self.bounds, u), 1.0)
             }
         })
     }

@@ -68,6 +68,7 @@ impl Buffers {
             ("points", &self.points),
             ("film", &self.film),
         ];
+        named.extend(prepared.environment());
         named.extend(prepared.finishes.as_ref().map(|buffer| ("finishes", buffer)));
         named.extend(self.throughputs.as_ref().map(|buffer| ("throughputs", buffer)));
         named.extend(self.radiance.as_ref().map(|buffer| ("radiance", buffer)));
@@ -90,8 +91,8 @@ pub struct Stages {
     pub resolve: Option<Stage>,
     /// The picture of a method without light.
     pub show: Option<Stage>,
-    /// Emission towards the camera.
-    pub emit: Option<Stage>,
+    /// Emission towards the camera, of surfaces and of the environment.
+    pub emit: Vec<Stage>,
     /// Direct light, a stage for each kind of lights.
     pub direct: Vec<(LightKind, Stage)>,
     /// Irradiance to radiance.
@@ -135,7 +136,6 @@ impl Stages {
             direct && !(settings.direct == Direct::Clustered && kind.has_places())
         };
         let tables = prepared.light_tables.iter().filter(|(kind, _)| per_pixel(*kind));
-        let areas = prepared.lights.count(LightKind::Area) > 0;
         Ok(Self {
             visible: Stage::new(prepared, &kernels::visible_points(target), &on_film)?,
             antialias: edges
@@ -145,7 +145,11 @@ impl Stages {
                 .then(|| Stage::new(prepared, &kernels::resolve(target), &on_film))
                 .transpose()?,
             show: kernels::show(settings.method).map(bind).transpose()?,
-            emit: when(lit && areas, kernels::emit())?,
+            emit: kernels::emitted(prepared)
+                .into_iter()
+                .filter(|_| lit)
+                .map(bind)
+                .collect::<Result<_, GpuError>>()?,
             direct: tables.map(with_lights).collect::<Result<_, GpuError>>()?,
             reflect: when(gathers, kernels::reflect(target))?,
             removed: when(clamps, kernels::removed(target))?,

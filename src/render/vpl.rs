@@ -116,7 +116,7 @@ impl LightPaths<'_> {
     /// The first segment of a path and its flux.
     fn start(&self, sequence: &Sequence, path: u32) -> Option<(Ray, Vec3)> {
         let draw = |dimension| sequence.sample(path, dimension);
-        let Start { ray, flux } = self.lights.start(draw(0), [1, 2, 3, 4].map(draw))?;
+        let Start { ray, flux } = self.lights.start(self.scene, draw(0), [1, 2, 3, 4].map(draw))?;
         Some((ray, flux / self.count as f32))
     }
 }

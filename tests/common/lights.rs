@@ -119,15 +119,16 @@ pub fn mean_of(image: &Image, pixels: impl Iterator<Item = usize>) -> DVec3 {
 
 /// The light of one bounce is the same from VPLs and from paths: over the image to 1.5 % and the
 /// noise, over its quarters to 4 %.
-pub fn one_bounce_agrees(scene: &Scene, what: &str) {
+pub fn one_bounce_agrees(scene: &Scene, light_paths: u32, what: &str) {
     let [vpl, path] = [Method::Vpl, Method::Path].map(|method| {
         let settings = Settings {
-            light_paths: 1 << 14,
+            light_paths,
             samples: if method == Method::Path { 1024 } else { 1 },
             bounces: Bounces::Finite(1),
             direct: Direct::Off,
             clamp: Clamp::Off,
-            edge_samples: 1,
+            // Paths see all of a pixel.
+            edge_samples: 64,
             ..Settings::of(method)
         };
         let prepared = Prepared::new(open_gpu(), scene.clone(), &settings).unwrap();
