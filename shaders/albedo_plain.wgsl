@@ -1,4 +1,4 @@
-// The albedo of a point where no texture varies it.
+// The albedo of a point: that of its material.
 
 @group(0) @binding(3) var<storage, read> materials: array<Material>;
 

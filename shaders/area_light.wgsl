@@ -18,11 +18,13 @@ struct AreaLight {
 // A place on the lights.
 fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> LightSample {
     var u = at;
-    let light = lights[choose_light(u.x, light_count)];
+    let index = choose_light(u.x, light_count);
+    let light = lights[index];
     u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
     // The square root makes the density uniform and keeps strata whole.
     let root = sqrt(u.x);
     let on_light = light.corner + light.edge1 * (root * (1.0 - u.y)) + light.edge2 * (root * u.y);
+    let weights = vec3f(1.0 - root, root * (1.0 - u.y), root * u.y);
     let to_light = on_light - point.position;
     let square = dot(to_light, to_light);
     let cosine = dot(to_light, point.normal);
@@ -35,7 +37,7 @@ fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> Light
         end - light_origin(point, offset),
         1.0,
         cosine > 0.0 && emitted > 0.0,
-        light.radiance,
+        light.radiance * light_glow(index, weights),
         geometry,
         light.probability / light.area,
     );

@@ -3,8 +3,8 @@
 
 // Radiance, width and height of the image, columns and rows of cells, a word unused; then for
 // each row the probability of all rows before it, and 1; then for each row the same of its cells.
-@group(0) @binding(60) var<storage, read> environment: array<u32>;
-@group(0) @binding(61) var<storage, read> environment_texels: array<u32>;
+@group(0) @binding(80) var<storage, read> environment: array<u32>;
+@group(0) @binding(81) var<storage, read> environment_texels: array<u32>;
 
 // atan2 may be off by 1e-4 of its angle; a Newton step makes it as good as sine and cosine are.
 fn angle_of(y: f32, x: f32) -> f32 {

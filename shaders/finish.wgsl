@@ -16,7 +16,7 @@ const PHONG = 1u;
 const MIRROR = 2u;
 const GLASS = 3u;
 
-@group(0) @binding(40) var<storage, read> finishes: array<Finish>;
+@group(0) @binding(60) var<storage, read> finishes: array<Finish>;
 
 fn finish_of(point: Point) -> Finish {
     return finishes[point.surface & ~FRONT];

@@ -24,7 +24,10 @@ fn main(
         params.sample + slot % params.rays, stream, invocation,
     );
     if is {
-        points[slot] = with_view(hit_point(sight.hit, sight.direction), sight.direction);
+        let point = hit_point(sight.hit, sight.direction);
+        points[slot] = with_view(point, sight.direction);
+        keep_albedo(slot, sight.hit, point);
+        keep_glow(slot, sight.hit, point);
         radiance[slot] = vec4f(0.0);
         paths[slot] = Path(throughput_of(sight), stream);
         survivors[slot] = select(slot, NOTHING, sight.hit.triangle == NOTHING);

@@ -9,6 +9,7 @@ fn find_emission(slot: u32, carried: vec3f, hit: Point, direction: vec3f, densit
     let drawn = params.light_density * mean * select(1.0, 2.0, material.two_sided != 0u);
     let met = density * -dot(hit.normal, direction) / (hit.depth * hit.depth);
     if emits && drawn > 0.0 && met > 0.0 {
-        found(slot, carried * material.emission * mis_weight(met, drawn));
+        let emission = material.emission * glow_of(slot);
+        found(slot, carried * emission * mis_weight(met, drawn));
     }
 }

@@ -41,6 +41,8 @@ fn main(
     if hit.triangle != NOTHING {
         let next = hit_point(hit, sight.direction);
         points[slot] = with_view(next, sight.direction);
+        keep_albedo(slot, hit, next);
+        keep_glow(slot, hit, next);
         paths[slot] = Path(carried, path.stream);
         find_emission(slot, carried, next, sight.direction, density);
     } else if limit > 0.0 {

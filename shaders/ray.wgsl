@@ -1,19 +1,20 @@
 // Rays against boxes and triangles.
 
+// A shape that rays hit: see TriangleRecord of src/gpu/layout.rs.
 struct Triangle {
     a: vec3f,
     material: u32,
     b: vec3f,
     index: u32,
     c: vec3f,
-    pad: u32,
+    kind: u32,
 }
 
 struct Hit {
     t: f32,
     // In leaf order; NOTHING if there is no hit.
     triangle: u32,
-    // Barycentric weights of the corners.
+    // Barycentric weights of the corners, or what else tells where it is.
     weights: vec3f,
 }
 
@@ -39,13 +40,14 @@ fn meets_box(reciprocal: vec3f, low: vec3f, high: vec3f, reach: f32) -> bool {
     return near <= min(far, reach);
 }
 
-// Where a ray meets the plane of a triangle, whose corners are given relative to its origin.
+// Where a ray meets a shape or its plane.
 struct Meeting {
     t: f32,
     inside: bool,
     weights: vec3f,
 }
 
+// A ray with a triangle whose corners are given relative to its origin.
 // From the volumes that the ray spans with the edges: an edge gives exactly opposite volumes
 // to its two triangles, so that no ray slips between them. The Pluecker form of Woop, Benthin
 // and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013.

@@ -42,10 +42,11 @@ fn traverse(
         let end = node.leaf / 8u + node.leaf % 8u;
         for (var i = node.leaf / 8u; i < end; i++) {
             let corners = triangles[i];
-            let m = intersect(corners.a - origin, corners.b - origin, corners.c - origin, direction);
+            let m = meet(corners.a, corners.b, corners.c, corners.kind, origin, direction);
             // At t = limit nothing counts, as `lowest` is set only by a hit.
             let tie = m.t == best.t && lowest != NOTHING && corners.index < lowest;
-            if m.inside && m.t > 0.0 && (m.t < best.t || tie) {
+            let counts = m.inside && m.t > 0.0 && (m.t < best.t || tie);
+            if counts && opaque(corners.kind, corners.index, m.weights) {
                 best = Hit(m.t, i, m.weights);
                 lowest = corners.index;
                 if any { return best; }

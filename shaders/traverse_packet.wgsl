@@ -17,7 +17,7 @@ fn load_triangle(i: u32) -> Triangle {
         load_vector(at + 4u),
         bitcast<u32>(triangles[at + 7u]),
         load_vector(at + 8u),
-        0u,
+        bitcast<u32>(triangles[at + 11u]),
     );
 }
 
@@ -82,10 +82,12 @@ fn traverse(
                 subgroupBroadcast(tail, 1u),
                 subgroupBroadcast(tail, 2u),
             );
-            let m = intersect(a - origin, b - origin, c - origin, direction);
+            let kind = bitcast<u32>(subgroupBroadcast(tail, 3u));
+            let m = meet(a, b, c, kind, origin, direction);
             // At t = limit nothing counts, as `lowest` is set only by a hit.
             let tie = m.t == best.t && lowest != NOTHING && index < lowest;
-            if m.inside && m.t > 0.0 && reach > 0.0 && (m.t < best.t || tie) {
+            let counts = m.inside && m.t > 0.0 && reach > 0.0 && (m.t < best.t || tie);
+            if counts && opaque(kind, index, m.weights) {
                 best = Hit(m.t, i, m.weights);
                 lowest = index;
                 reach = select(m.t, -1.0, any);

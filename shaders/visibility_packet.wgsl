@@ -1,46 +1,13 @@
 // Shadow rays in packets. A packet is what a subgroup holds: 4 neighbouring points a lane,
 // all seen from one VPL. It goes through the hierarchy as one: boxes are tested by
-// `may_meet` of the packet_*.wgsl that is linked, a leaf's triangles against each segment.
-// The common origin makes most of the triangle test the same for all. Nodes and triangles
-// are loaded by eight lanes together, a word each.
+// `may_meet` of the packet_*.wgsl that is linked, a leaf's shapes against each segment by
+// `blocks` of the blocker_*.wgsl. Nodes and triangles are loaded by eight lanes together, a word
+// each.
 //
 // No lane returns early: a subgroup shares its loads.
 
 @group(0) @binding(1) var<storage, read> nodes: array<f32>;
 @group(0) @binding(2) var<storage, read> triangles: array<f32>;
-
-// The plane of a triangle and its edges, relative to the origin of a packet.
-struct Blocker {
-    bc: vec3f,
-    ca: vec3f,
-    ab: vec3f,
-    normal: vec3f,
-    height: f32,
-}
-
-fn blocker(a: vec3f, b: vec3f, c: vec3f) -> Blocker {
-    let normal = cross(b - a, c - a);
-    return Blocker(
-        cross(c - b, c + b),
-        cross(a - c, a + c),
-        cross(b - a, b + a),
-        normal,
-        dot(normal, a),
-    );
-}
-
-// Whether the segment from the origin along d (0 < t < 1) meets the triangle: `intersect` of
-// ray.wgsl without its division.
-fn blocks(k: Blocker, d: vec3f) -> bool {
-    let u = dot(k.bc, d);
-    let v = dot(k.ca, d);
-    let w = dot(k.ab, d);
-    let speed = dot(k.normal, d);
-    let one_side = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
-    // 0 < height / speed < 1
-    let between = k.height * speed > 0.0 && abs(k.height) < abs(speed);
-    return one_side && between;
-}
 
 @compute @workgroup_size(64)
 fn main(
@@ -137,17 +104,20 @@ fn main(
                         subgroupBroadcast(head, 0u),
                         subgroupBroadcast(head, 1u),
                         subgroupBroadcast(head, 2u),
-                    ) - origin,
+                    ),
                     vec3f(
                         subgroupBroadcast(head, 4u),
                         subgroupBroadcast(head, 5u),
                         subgroupBroadcast(head, 6u),
-                    ) - origin,
+                    ),
                     vec3f(
                         subgroupBroadcast(tail, 0u),
                         subgroupBroadcast(tail, 1u),
                         subgroupBroadcast(tail, 2u),
-                    ) - origin,
+                    ),
+                    bitcast<u32>(subgroupBroadcast(tail, 3u)),
+                    bitcast<u32>(subgroupBroadcast(head, 7u)),
+                    origin,
                 );
                 open0 = open0 && !blocks(k, d0);
                 open1 = open1 && !blocks(k, d1);

@@ -23,7 +23,10 @@ fn main(
     );
     if sight.hit.triangle != NOTHING { film[id.x].w += 1.0; }
     if id.x < params.blocks * 64u {
-        points[id.x] = with_view(hit_point(sight.hit, sight.direction), sight.direction);
+        let point = hit_point(sight.hit, sight.direction);
+        points[id.x] = with_view(point, sight.direction);
+        keep_albedo(id.x, sight.hit, point);
+        keep_glow(id.x, sight.hit, point);
         keep_throughput(id.x, sight);
     }
 }

@@ -20,7 +20,7 @@ pub use layout::{
     AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
     FinishRecord, GlossyVplRecord, InterleaveParams, MaterialRecord, NodeRecord, PathParams,
     PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SpotLightRecord,
-    TriangleRecord, VisibilityParams, VplRecord,
+    TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};

@@ -8,6 +8,7 @@ mod interleave;
 pub mod kernels;
 mod light;
 mod light_set;
+pub mod literals;
 mod merge;
 mod path;
 mod picture;
@@ -15,6 +16,7 @@ pub mod scatter;
 mod settings;
 mod stages;
 mod surface;
+pub mod tables;
 mod tile;
 mod visibility;
 mod visible;
@@ -25,7 +27,7 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 
 use crate::bvh::Bvh;
-use crate::gpu::{Gpu, GpuError, MaterialRecord, PassTime};
+use crate::gpu::{Gpu, GpuError, PassTime, Program};
 use crate::image::Image;
 use crate::scene::{Camera, Environment, Scene};
 
@@ -37,6 +39,7 @@ pub use vpl::{LightPaths, Vpl};
 
 use gathers::{Clustered, Gathers};
 use light_set::LightSet;
+use literals::Literals;
 pub use merge::{Gloss, VirtualLight, VplClusters};
 use path::PathTracer;
 use stages::Named;
@@ -50,7 +53,7 @@ pub struct Prepared {
     pub scene: Scene,
     /// The device.
     pub gpu: Gpu,
-    /// The hierarchy over the scene's triangles.
+    /// The hierarchy over the scene's triangles and spheres.
     pub bvh: Bvh,
     /// The light sources.
     pub lights: Lights,
@@ -60,11 +63,9 @@ pub struct Prepared {
     pub bvh_time: Duration,
     /// Time spent on linking and compiling shaders, and on uploading the scene.
     pub pipelines_time: Duration,
+    literals: Option<Literals>,
     kernels: Kernels,
-    nodes: wgpu::Buffer,
-    triangles: wgpu::Buffer,
-    materials: wgpu::Buffer,
-    finishes: Option<wgpu::Buffer>,
+    tables: Vec<tables::Table>,
     light_tables: Vec<(LightKind, wgpu::Buffer)>,
     environment_texels: Option<wgpu::Buffer>,
 }
@@ -76,31 +77,16 @@ impl Prepared {
     /// # Errors
     /// The device fails, or the scene does not fit it.
     pub fn new(gpu: Gpu, scene: Scene, settings: &Settings) -> Result<Self, GpuError> {
+        let features = Features::of(&scene);
+        tables::check(&gpu, &scene, features)?;
         let start = Instant::now();
-        let bvh = Bvh::build(&scene.triangles);
+        let bvh = Bvh::of(&scene);
         let bvh_time = start.elapsed();
 
         let start = Instant::now();
         let lights = Lights::of(&scene);
-        let features = Features::of(&scene);
-        let materials: Vec<_> = scene
-            .materials
-            .iter()
-            .map(|material| MaterialRecord {
-                albedo: material.albedo.to_array(),
-                two_sided: u32::from(material.two_sided),
-                emission: material.emission.to_array(),
-                pad: 0,
-            })
-            .collect();
         let mut prepared = Self {
-            nodes: gpu.storage_of("BVH nodes", &bvh.nodes)?,
-            triangles: gpu.storage_of("triangles", &bvh.triangles)?,
-            materials: gpu.storage_of("materials", &materials)?,
-            finishes: features
-                .has_finishes()
-                .then(|| gpu.storage_of("finishes", &scatter::finishes(&scene)))
-                .transpose()?,
+            tables: tables::upload(&gpu, &scene, &bvh, features)?,
             light_tables: lights
                 .kinds()
                 .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
@@ -111,6 +97,7 @@ impl Prepared {
                 }
                 _ => None,
             },
+            literals: Literals::of(&scene, &bvh),
             features,
             kernels: Kernels::default(),
             bvh_time,
@@ -127,7 +114,21 @@ impl Prepared {
 
     /// What programs are linked for.
     pub fn target(&self) -> Target {
-        Target { subgroups: self.gpu.has_subgroups(), features: self.features }
+        let tracing = self.literals.as_ref().map(|literals| literals.suit_packets);
+        Target {
+            subgroups: self.gpu.has_subgroups(),
+            features: self.features,
+            literals: tracing.is_some(),
+            literal_packets: tracing == Some(true),
+        }
+    }
+
+    /// A program with what is written for the scene.
+    fn complete(&self, program: Program) -> Program {
+        match &self.literals {
+            Some(literals) => literals.complete(program),
+            None => program,
+        }
     }
 
     /// The buffers of the environment, by name.

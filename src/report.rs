@@ -208,7 +208,7 @@ impl Report {
             samples: settings.samples,
             adapter: prepared.gpu.info.clone(),
             triangles: scene.triangles.len(),
-            spheres: 0,
+            spheres: scene.spheres.len(),
             lights: prepared.lights.all(),
             visible_points: counts.visible_points,
             light_paths: if traces_paths { settings.light_paths } else { 0 },

@@ -17,7 +17,7 @@ mod mtl;
 mod normalise;
 mod obj;
 mod polygon;
-mod texture;
+pub mod texture;
 mod toml;
 
 use std::path::Path;

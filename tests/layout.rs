@@ -10,7 +10,7 @@ use gpu_vpl::gpu::{
     AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
     FinishRecord, GlossyVplRecord, InterleaveParams, MaterialRecord, NodeRecord, PathParams,
     PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SpotLightRecord,
-    TriangleRecord, VisibilityParams, VplRecord,
+    TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};
@@ -39,6 +39,12 @@ impl Field for u32 {
 impl Field for [f32; 3] {
     fn members(name: &str, offset: u32) -> Vec<Member> {
         vec![(name.to_owned(), offset, ScalarKind::Float, 3)]
+    }
+}
+
+impl Field for [f32; 2] {
+    fn members(name: &str, offset: u32) -> Vec<Member> {
+        vec![(name.to_owned(), offset, ScalarKind::Float, 2)]
     }
 }
 
@@ -74,7 +80,8 @@ macro_rules! record {
 fn records() -> Vec<Record> {
     vec![
         record!(NodeRecord as "Node" { low, skip, high, leaf }),
-        record!(TriangleRecord as "Triangle" { a, material, b, index, c, pad }),
+        record!(TriangleRecord as "Triangle" { a, material, b, index, c, kind }),
+        record!(TextureRecord as "Texture" { first, width, height, wrap, scale, shift }),
         record!(MaterialRecord as "Material" { albedo, two_sided, emission, pad }),
         record!(PointRecord as "Point" { position, surface, normal, depth }),
         record!(VplRecord as "Vpl" { position, pad0, normal, pad1, intensity, mean }),
@@ -172,7 +179,7 @@ fn all_modules() -> Vec<naga::Module> {
 #[test]
 fn host_records_are_laid_out_as_naga_does() {
     let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
-    assert_eq!(compared.len(), 20, "{compared:?}");
+    assert_eq!(compared.len(), 21, "{compared:?}");
 }
 
 #[test]

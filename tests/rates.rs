@@ -34,7 +34,7 @@ fn visible_points(scene: &Scene, bvh: &Bvh) -> Vec<PointRecord> {
         let direction = camera.forward + u * tx * camera.right + v * ty * camera.up;
         let ray = Ray { origin: camera.position, direction, limit: f32::MAX };
         let hit = bvh.closest(&ray)?;
-        let normal = scene.triangles[hit.triangle as usize].scaled_normal().normalize();
+        let normal = scene.triangles[hit.shape as usize].scaled_normal().normalize();
         let side = -normal.dot(direction).signum();
         Some(point(camera.position + hit.t * direction, side * normal))
     };

@@ -297,7 +297,7 @@ fn the_device_scatters_as_the_host() {
         })
         .collect();
     let gpu = open_gpu();
-    let kernel = gpu.compile(&Program { label: "scattering", modules }).unwrap();
+    let kernel = gpu.compile(&Program::new("scattering", modules)).unwrap();
     let finishes: Vec<_> = materials.iter().map(finish_record).collect();
     let finishes = gpu.storage_of("finishes", &finishes).unwrap();
     let asked = gpu.storage_of("queries", &queries).unwrap();

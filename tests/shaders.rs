@@ -6,8 +6,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use gpu_vpl::gpu::{CATALOGUE, Linked, Module, Program};
-use gpu_vpl::render::all_programs;
+use gpu_vpl::gpu::module::HIT_POINT;
+use gpu_vpl::gpu::{AdapterChoice, CATALOGUE, Gpu, Linked, Module, Program};
+use gpu_vpl::render::{Features, Prepared, Settings, Target, all_programs, kernels};
+use gpu_vpl::scene::Scene;
 use naga::compact::{KeepUnused, compact};
 
 /// Programs with what linking made of them. There are some, or the test fails.
@@ -34,6 +36,8 @@ fn every_program_links_and_validates() {
         for module in &program.modules {
             assert!(linked.source.contains(module.source), "{} in {}", module.name, program.label);
         }
+        let generated = program.generated.as_deref().unwrap_or_default();
+        assert!(linked.source.ends_with(generated), "what is generated in {}", program.label);
     }
 }
 
@@ -52,8 +56,12 @@ fn programs_that_are_wrong_do_not_link() {
         feature: None,
     };
     static FINE: Module = Module { name: "fine", source: "const X = 1;\n", feature: None };
+    let generated = Some("fn wrong() { nowhere(); }".into());
+    let program = Program { label: "bad", modules: vec![&FINE], generated };
+    let error = program.link().expect_err("what is generated").to_string();
+    assert!(error.contains("bad, generated:1"), "no place in: {error}");
     for (bad, place) in [(&UNKNOWN, "unknown.wgsl:2"), (&INVALID, "invalid.wgsl")] {
-        let program = Program { label: "bad", modules: vec![&FINE, bad] };
+        let program = Program::new("bad", vec![&FINE, bad]);
         let error = program.link().expect_err(bad.name).to_string();
         assert!(error.contains(place), "no file and line in: {error}");
     }
@@ -119,6 +127,35 @@ fn programs_bind_group_0_and_only_what_they_use() {
     }
 }
 
+/// Triangles that are written into a shader are not loaded, but for those that were hit.
+#[test]
+fn literals_leave_the_hierarchy_out() {
+    let mut some = 0;
+    for (program, linked) in linked().iter().filter(|(program, _)| program.generated.is_some()) {
+        let binds = |name: &str| linked.bindings.iter().any(|(bound, _)| bound == name);
+        assert!(!binds("nodes"), "{} binds nodes", program.label);
+        assert_eq!(binds("triangles"), program.modules.contains(&&HIT_POINT), "{}", program.label);
+        some += 1;
+    }
+    assert!(some > 0, "nothing is generated");
+}
+
+/// Whether the hierarchy is linked depends on the size of the scene.
+#[test]
+fn a_small_scene_leaves_the_hierarchy_out() {
+    let left_out = |copies: usize| {
+        let mut scene = Scene::load("builtin:cornell").expect("it is built in");
+        scene.triangles = scene.triangles.repeat(copies);
+        let gpu = Gpu::open(&AdapterChoice::Auto).expect("a device");
+        let prepared = Prepared::new(gpu, scene, &Settings::default()).expect("it fits");
+        prepared.left_out()
+    };
+    let (hierarchy, literals) = ("bounding volume hierarchy", "triangles as literals");
+    let (small, large) = (left_out(1), left_out(2));
+    assert!(small.contains(&hierarchy) && !small.contains(&literals), "{small:?}");
+    assert!(large.contains(&literals) && !large.contains(&hierarchy), "{large:?}");
+}
+
 #[test]
 fn what_an_entry_point_does_not_use_is_not_bound() {
     static SPARE: Module = Module {
@@ -129,7 +166,21 @@ fn what_an_entry_point_does_not_use_is_not_bound() {
                  @compute @workgroup_size(64)\nfn main() { out[0] = 1u; }",
         feature: None,
     };
-    let linked = Program { label: "spare", modules: vec![&SPARE] }.link().expect("it is valid");
+    let linked = Program::new("spare", vec![&SPARE]).link().expect("it is valid");
     assert_eq!(linked.bindings, [("out".to_owned(), 2)]);
     assert_eq!(used(&linked).keys().collect::<Vec<_>>(), ["out"]);
+}
+
+/// What a scene of plain triangles has no use for is not in the source of its programs.
+#[test]
+fn plain_programs_hold_neither_spheres_nor_textures() {
+    let words = |program: &Program| {
+        let source = program.link().expect("it is valid").source.to_lowercase();
+        ["sphere", "texture", "texel", "cutout", "alpha"].map(|word| source.contains(word))
+    };
+    let [none, all] = [Features::default(), Features::everything()].map(|features| {
+        let target = Target::of(true, features);
+        words(&kernels::visible_points(target))
+    });
+    assert_eq!((none, all), ([false; 5], [true; 5]));
 }

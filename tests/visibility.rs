@@ -3,19 +3,24 @@
 mod common;
 
 use common::Rng;
-use common::gather::{point, visible, vpl};
-use common::tracing::{cube, soup};
+use common::gather::{point, visible, visible_in, vpl};
+use common::tracing::{World, cube, soup};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::gpu::{PointRecord, VplRecord};
 use gpu_vpl::render::kernels::Tracing;
+use gpu_vpl::render::literals::Literals;
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::Triangle;
 
-fn kernels() -> Vec<Tracing> {
+/// With literals for small scenes.
+fn kernels(bvh: &Bvh) -> Vec<Tracing> {
     let mut kernels = vec![Tracing::Single];
     if common::gpu().has_subgroups() {
         kernels.extend([Tracing::Shaft, Tracing::Rays]);
+    }
+    if Literals::of_triangles(&bvh.triangles, &[], true).is_some() {
+        kernels.push(Tracing::Literals);
     }
     kernels
 }
@@ -113,7 +118,7 @@ fn all_kernels_and_the_host_see_the_same() {
             let lit: u64 = expected.iter().map(|word| u64::from(word.count_ones())).sum();
             seen += lit;
             blocked += rays - lit;
-            for tracing in kernels() {
+            for tracing in kernels(&bvh) {
                 // Packets take whole shafts only through small hierarchies.
                 if tracing == Tracing::Shaft && bvh.nodes.len() > 1000 {
                     continue;
@@ -159,7 +164,7 @@ fn walls_of_a_convex_room_block_nothing() {
         let vpls: Vec<_> = (0..96).map(|_| inside(&mut rng)).collect();
         let point_records: Vec<_> = points.iter().map(|&(p, n)| point(p, n)).collect();
         let vpl_records: Vec<_> = vpls.iter().map(|&(p, n)| vpl(p, n, Vec3::ONE)).collect();
-        for tracing in kernels() {
+        for tracing in kernels(&bvh) {
             let gpu = common::gpu();
             let (bits, _) = visible(gpu, tracing, &bvh, &point_records, &vpl_records, &[3]);
             for (j, &(s, m)) in vpls.iter().enumerate() {
@@ -172,6 +177,48 @@ fn walls_of_a_convex_room_block_nothing() {
                 }
             }
         }
+    }
+}
+
+/// Triangles that bound a scene hide nothing in it from anything. Two places in the plane of one,
+/// on both its sides, have cosines that are rounding: no light passes between them.
+#[test]
+fn what_bounds_a_scene_blocks_nothing() {
+    let mut rng = Rng(5);
+    let turned = Mat3::from_rotation_x(0.3) * Mat3::from_rotation_y(1.1);
+    for turn in [Mat3::IDENTITY, turned] {
+        let mut triangles = cube(1, turn);
+        triangles.extend(soup(&mut rng, 20, 1.5));
+        for triangle in &mut triangles[12..] {
+            triangle.vertices = triangle.vertices.map(|vertex| turn * (0.3 * vertex));
+        }
+        let bvh = Bvh::build(&triangles);
+        let (points, vpls) = random(&mut rng, &triangles, 500, 96);
+        let (expected, _) = reference(&bvh, &points, &vpls);
+        let literals = Literals::of_triangles(&bvh.triangles, &[], false).expect("it is small");
+        let count = |text: &str| text.matches("nearer").count();
+        assert_eq!((count(&literals.all), count(&literals.blockers)), (32, 20));
+        let beside =
+            Literals::of_triangles(&bvh.triangles, &[turn * Vec3::X], false).expect("it is small");
+        assert_eq!(count(&beside.blockers), 22, "a light beyond a wall");
+
+        let literals = Some(literals);
+        let world = World { literals, ..World::of_triangles(&bvh) };
+        let (bits, _) = visible_in(&world, Tracing::Literals, &points, &vpls);
+        let (mut differ, mut blocked) = (0, 0);
+        for (j, vpl) in vpls.iter().enumerate() {
+            for (i, point) in points.iter().enumerate() {
+                let [x, n, s, m] =
+                    [point.position, point.normal, vpl.position, vpl.normal].map(Vec3::from_array);
+                let at = |bits: &[u32]| bits[j / 32 * points.len() + i] >> (j % 32) & 1;
+                if (x - s).dot(n) < -1e-6 && (x - s).dot(m) > 1e-6 {
+                    differ += u32::from(at(&bits) != at(&expected));
+                    blocked += 1 - at(&expected);
+                }
+            }
+        }
+        assert!(blocked > 500, "{blocked} rays are blocked: a weak test");
+        assert!(differ <= 3, "{differ} bits differ from the host's");
     }
 }
 

@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::Bvh;
+use crate::gpu::TriangleRecord;
 
 /// A ray or segment; `direction` need not be of unit length.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,16 +16,16 @@ pub struct Ray {
     pub limit: f32,
 }
 
-/// Where a ray meets a triangle.
+/// Where a ray meets a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// Distance in lengths of the ray's direction.
     pub t: f32,
-    /// Index of the triangle in the scene.
-    pub triangle: u32,
+    /// Index of the triangle in the scene; from the number of triangles on, of the sphere.
+    pub shape: u32,
     /// Index of its material.
     pub material: u32,
-    /// Barycentric weights of the corners.
+    /// Barycentric weights of a triangle's corners; of a sphere, the unit normal outwards.
     pub weights: [f32; 3],
 }
 
@@ -35,7 +36,7 @@ const HUGE: f32 = 1e30;
 const WIDEN: f32 = 1.000_000_4;
 
 impl Bvh {
-    /// The nearest hit; among equally near ones that of the lowest triangle.
+    /// The nearest hit; among equally near ones that of the lowest shape.
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
         self.traverse(ray, false)
     }
@@ -62,14 +63,13 @@ impl Bvh {
             }
             let first = (node.leaf / 8) as usize;
             for record in &self.triangles[first..first + (node.leaf % 8) as usize] {
-                let corners = [record.a, record.b, record.c].map(Vec3::from_array);
-                let Some((t, weights)) = intersect(ray, corners) else { continue };
+                let Some((t, weights)) = record.meet(ray) else { continue };
                 let nearer =
-                    t < limit || best.is_some_and(|hit| t == limit && record.index < hit.triangle);
-                if nearer {
+                    t < limit || best.is_some_and(|hit| t == limit && record.index < hit.shape);
+                if nearer && self.opaque(record, weights) {
                     limit = t;
-                    let (triangle, material) = (record.index, record.material);
-                    best = Some(Hit { t, triangle, material, weights });
+                    let (shape, material) = (record.index, record.material);
+                    best = Some(Hit { t, shape, material, weights });
                     if any {
                         return best;
                     }
@@ -79,28 +79,12 @@ impl Bvh {
         }
         best
     }
+
+    fn opaque(&self, record: &TriangleRecord, weights: [f32; 3]) -> bool {
+        self.cutouts.as_ref().is_none_or(|cutouts| cutouts.opaque(record, weights))
+    }
 }
 
 fn reciprocal(x: f32) -> f32 {
     if x.abs() > 1.0 / HUGE { 1.0 / x } else { HUGE.copysign(x) }
-}
-
-/// Distance and barycentric weights of a hit, from the volumes that the ray spans with the
-/// edges. An edge gives exactly opposite volumes to its two triangles, so that no ray slips
-/// between them (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013;
-/// the form is that of Plücker coordinates, relative to the ray's origin).
-fn intersect(ray: &Ray, corners: [Vec3; 3]) -> Option<(f32, [f32; 3])> {
-    let [a, b, c] = corners.map(|corner| corner - ray.origin);
-    let d = ray.direction;
-    let u = (c - b).cross(c + b).dot(d);
-    let v = (a - c).cross(a + c).dot(d);
-    let w = (b - a).cross(b + a).dot(d);
-    if u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0 {
-        return None;
-    }
-    let normal = (b - a).cross(c - a);
-    let (height, speed) = (normal.dot(a), normal.dot(d));
-    let t = height / speed;
-    let sum = u + v + w;
-    (speed != 0.0 && sum != 0.0 && t > 0.0).then(|| (t, [u / sum, v / sum, w / sum]))
 }

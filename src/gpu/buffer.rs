@@ -103,7 +103,25 @@ impl Gpu {
         Ok(data)
     }
 
-    fn check_binding(&self, label: &str, needed: u64) -> Result<(), GpuError> {
+    /// Whether so many bytes are left, where the device's memory is the host's and the host tells.
+    ///
+    /// # Errors
+    /// They are not.
+    pub fn check_memory(&self, what: &str, needed: u64) -> Result<(), GpuError> {
+        let software = self.info.device_type == "cpu";
+        match available_memory().filter(|_| software) {
+            Some(available) if needed > available => {
+                Err(GpuError::Memory { what: what.to_owned(), needed, available })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the adapter binds a buffer of so many bytes.
+    ///
+    /// # Errors
+    /// It does not.
+    pub fn check_binding(&self, label: &str, needed: u64) -> Result<(), GpuError> {
         let limits = self.limits();
         let available = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         if needed > available {
@@ -116,4 +134,11 @@ impl Gpu {
         }
         Ok(())
     }
+}
+
+/// What the host could give without swapping, where Linux's /proc tells it.
+fn available_memory() -> Option<u64> {
+    let info = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let line = info.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()?.checked_mul(1024)
 }

@@ -37,6 +37,16 @@ pub enum GpuError {
         /// What to do.
         advice: &'static str,
     },
+    /// The host, whose memory a software device uses, has not so much.
+    #[error("{what} needs {needed} bytes of memory, {available} are left; use a smaller scene")]
+    Memory {
+        /// What is too large.
+        what: String,
+        /// How much it needs.
+        needed: u64,
+        /// How much there is.
+        available: u64,
+    },
     /// The device has no memory left.
     #[error("out of device memory while {0}; render a smaller scene or fewer VPLs")]
     OutOfMemory(String),

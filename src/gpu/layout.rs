@@ -17,22 +17,51 @@ pub struct NodeRecord {
     pub leaf: u32,
 }
 
-/// A triangle in leaf order, 48 bytes.
+/// A triangle or a sphere in leaf order, 48 bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct TriangleRecord {
-    /// First corner.
+    /// First corner; the centre of a sphere.
     pub a: [f32; 3],
     /// Index of the material.
     pub material: u32,
-    /// Second corner.
+    /// Second corner; the radius of a sphere, and zeros.
     pub b: [f32; 3],
-    /// Index of the triangle in the scene.
+    /// Index of the triangle in the scene; spheres go on where triangles end.
     pub index: u32,
     /// Third corner.
     pub c: [f32; 3],
-    /// Unused.
-    pub pad: u32,
+    /// What it is: [`Self::SPHERE`] and [`Self::FAR`], and in [`Self::CUTOUT`] its alpha.
+    pub kind: u32,
+}
+
+impl TriangleRecord {
+    /// The bit of a sphere.
+    pub const SPHERE: u32 = 1 << 31;
+    /// The bit of a sphere that is met only where rays leave it: a second record of a sphere
+    /// with holes, through which the far side is seen.
+    pub const FAR: u32 = 1 << 30;
+    /// The bits of the texture, plus one, that cuts holes into the shape; 0 for none.
+    pub const CUTOUT: u32 = Self::FAR - 1;
+}
+
+/// A texture: where its texels are, and how it is laid on surfaces; 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct TextureRecord {
+    /// Its first texel.
+    pub first: u32,
+    /// Texels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// What lies beyond its border across, and from bit 2 on down: 0 the image again, 1 the
+    /// image mirrored, 2 its border.
+    pub wrap: u32,
+    /// Texel coordinates are uv · scale + shift.
+    pub scale: [f32; 2],
+    /// See above.
+    pub shift: [f32; 2],
 }
 
 /// A diffuse material, 32 bytes.

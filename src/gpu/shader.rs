@@ -1,5 +1,7 @@
 //! Shaders as ordered lists of WGSL files. What a scene does not need is not in the list.
 
+use std::sync::Arc;
+
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 use super::GpuError;
@@ -40,6 +42,13 @@ pub mod module {
         TYPES = "types";
         SAMPLING = "sampling";
         PIXELS = "pixels";
+        SHAPE_TRIANGLE = "shape_triangle";
+        SHAPE_ANY = "shape_any" for "spheres";
+        OPAQUE_ALL = "opaque_all";
+        OPAQUE_CUTOUT = "opaque_cutout" for "alpha cut-outs";
+        TEXTURE = "texture";
+        UV_TRIANGLE = "uv_triangle";
+        UV_ANY = "uv_any" for "spheres";
         ALBEDO_PLAIN = "albedo_plain";
         HEMISPHERE = "hemisphere";
         FINISH = "finish";
@@ -48,6 +57,16 @@ pub mod module {
         PHONG = "phong" for "phong";
         GATHERED_DIFFUSE = "gathered_diffuse";
         GATHERED_PHONG = "gathered_phong" for "phong";
+        ALBEDO_TEXTURED = "albedo_textured" for "textures";
+        KEEP_ALBEDO_NONE = "keep_albedo_none";
+        KEEP_ALBEDO = "keep_albedo" for "textures";
+        MATERIAL_TEXTURES = "material_textures";
+        GLOW_NONE = "glow_none";
+        GLOW_TEXTURED = "glow_textured" for "emission textures";
+        KEEP_GLOW_NONE = "keep_glow_none";
+        KEEP_GLOW = "keep_glow" for "emission textures";
+        LIGHT_PLAIN = "light_plain";
+        LIGHT_TEXTURED = "light_textured" for "emission textures";
         LOBES_DIFFUSE = "lobes_diffuse";
         LOBES_PHONG = "lobes_phong" for "phong";
         SCATTER_DIFFUSE = "scatter_diffuse";
@@ -69,8 +88,10 @@ pub mod module {
         VPL_DIFFUSE = "vpl_diffuse";
         VPL_GLOSSY = "vpl_glossy" for "phong";
         RAY = "ray";
-        TRAVERSE = "traverse";
-        TRAVERSE_PACKET = "traverse_packet";
+        TRAVERSE = "traverse" for "bounding volume hierarchy";
+        TRAVERSE_PACKET = "traverse_packet" for "bounding volume hierarchy";
+        LITERAL_RAY = "literal_ray" for "triangles as literals";
+        CORNERS = "corners";
         CAMERA = "camera";
         HIT_POINT = "hit_point";
         ONE_SURFACE = "one_surface";
@@ -102,9 +123,12 @@ pub mod module {
         DIRECT_SAMPLED = "direct_sampled";
         VISIBILITY = "visibility" for "indirect light";
         BITS = "bits" for "indirect light";
-        PACKET_SHAFT = "packet_shaft";
-        PACKET_RAYS = "packet_rays";
+        PACKET_SHAFT = "packet_shaft" for "bounding volume hierarchy";
+        PACKET_RAYS = "packet_rays" for "bounding volume hierarchy";
+        BLOCKER_TRIANGLE = "blocker_triangle";
+        BLOCKER_ANY = "blocker_any";
         VISIBILITY_PACKET = "visibility_packet" for "indirect light";
+        VISIBILITY_LITERALS = "visibility_literals" for "triangles as literals";
         EXPAND = "expand" for "visibility shared by VPL clusters";
         INTERLEAVED = "interleaved" for "interleaved sampling";
         SEPARATE = "separate" for "interleaved sampling";
@@ -160,6 +184,8 @@ pub struct Program {
     pub label: &'static str,
     /// Its files; the last has the entry point `main`.
     pub modules: Vec<&'static Module>,
+    /// What is written for one scene, and follows the files.
+    pub generated: Option<Arc<str>>,
 }
 
 /// A program that has been parsed and validated.
@@ -174,13 +200,25 @@ pub struct Linked {
 }
 
 impl Program {
+    /// Of files, each of which is linked once, where it first stands.
+    pub fn new(label: &'static str, modules: Vec<&'static Module>) -> Self {
+        let mut once: Vec<&'static Module> = Vec::with_capacity(modules.len());
+        for module in modules {
+            if !once.contains(&module) {
+                once.push(module);
+            }
+        }
+        Self { label, modules: once, generated: None }
+    }
+
     /// Joins the files, parses and validates them, and finds what they bind.
     ///
     /// # Errors
     /// A file does not parse, or the whole is not valid: a fault of this program, named with
     /// file and line.
     pub fn link(&self) -> Result<Linked, GpuError> {
-        let source = self.modules.iter().map(|m| m.source).collect::<Vec<_>>().join("\n");
+        let files = self.modules.iter().map(|module| module.source);
+        let source = files.chain(self.generated.as_deref()).collect::<Vec<_>>().join("\n");
         let module = naga::front::wgsl::parse_str(&source).map_err(|error| {
             let line = error.location(&source).map_or(0, |l| l.line_number as usize);
             GpuError::Invalid(format!("{}: {}", self.place(line), error.message()))
@@ -209,6 +247,6 @@ impl Program {
             }
             line -= lines;
         }
-        self.label.to_owned()
+        format!("{}, generated:{line}", self.label)
     }
 }

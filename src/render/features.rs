@@ -1,6 +1,6 @@
 //! What a scene has, and so what its shaders hold: the one place that decides what is left out.
 
-use crate::scene::{Finish, Scene};
+use crate::scene::{Finish, Material, Scene};
 
 /// Features of a scene beside plain diffuse triangles. What is not there is not linked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -9,8 +9,10 @@ pub struct Features {
     pub spheres: bool,
     /// Surfaces with holes where a texture's alpha is low.
     pub cutouts: bool,
-    /// Albedo or emission that varies along a surface.
+    /// Albedo that varies along a surface.
     pub textures: bool,
+    /// Area lights whose emission varies, or that have holes.
+    pub glows: bool,
     /// Surfaces with a Phong lobe.
     pub phong: bool,
     /// Ideal mirrors.
@@ -25,11 +27,12 @@ impl Features {
     /// Those of a scene.
     pub fn of(scene: &Scene) -> Self {
         let any = |is: &dyn Fn(Finish) -> bool| scene.materials.iter().any(|m| is(m.finish));
-        let varies = scene.materials.iter().flat_map(|m| [m.texture, m.emission_texture]);
+        let glows = |m: &&Material| m.emits() && m.emission_texture.or(m.cutout).is_some();
         Self {
             spheres: !scene.spheres.is_empty(),
             cutouts: scene.materials.iter().any(|material| material.cutout.is_some()),
-            textures: varies.flatten().next().is_some(),
+            textures: scene.materials.iter().any(|material| material.texture.is_some()),
+            glows: scene.materials.iter().filter(glows).count() > 0,
             phong: any(&|finish| matches!(finish, Finish::Phong { .. })),
             mirror: any(&|finish| matches!(finish, Finish::Mirror { .. })),
             glass: any(&|finish| matches!(finish, Finish::Glass { .. })),
@@ -38,13 +41,18 @@ impl Features {
     }
 
     /// Whether any surface is more than diffuse.
-    pub fn has_finishes(&self) -> bool {
+    pub fn has_finishes(self) -> bool {
         self.phong || self.specular()
     }
 
     /// Whether rays go on at some surfaces.
-    pub fn specular(&self) -> bool {
+    pub fn specular(self) -> bool {
         self.mirror || self.glass
+    }
+
+    /// Whether there is any texture.
+    pub fn has_textures(self) -> bool {
+        self.textures || self.cutouts || self.glows
     }
 
     /// All there are, whatever the scene has: for measuring what leaving out saves.
@@ -53,6 +61,7 @@ impl Features {
             spheres: true,
             cutouts: true,
             textures: true,
+            glows: true,
             phong: true,
             mirror: true,
             glass: true,
@@ -97,12 +106,21 @@ pub struct Target {
     pub subgroups: bool,
     /// What the scene has.
     pub features: Features,
+    /// Whether its triangles are written into the shaders.
+    pub literals: bool,
+    /// Whether they are for packets of shadow rays, too.
+    pub literal_packets: bool,
 }
 
 impl Target {
+    /// A scene with these features, and a hierarchy.
+    pub fn of(subgroups: bool, features: Features) -> Self {
+        Self { subgroups, features, literals: false, literal_packets: false }
+    }
+
     /// A scene of plain diffuse triangles.
     pub fn plain(subgroups: bool) -> Self {
-        Self { subgroups, features: Features::default() }
+        Self::of(subgroups, Features::default())
     }
 
     /// How many values of four channels a point gathers: irradiance, and another for a lobe.
@@ -118,6 +136,7 @@ impl Target {
             Features { spheres: true, ..none },
             Features { cutouts: true, ..none },
             Features { textures: true, ..none },
+            Features { glows: true, ..none },
             Features { phong: true, ..none },
             Features { mirror: true, ..none },
             Features { glass: true, ..none },
@@ -125,7 +144,12 @@ impl Target {
             Features { sky: Sky::Image, ..none },
             Features::everything(),
         ];
+        let small = |features: Features| {
+            let literals = !features.spheres && !features.cutouts;
+            literals.then(|| Self { literals, literal_packets: true, ..Self::of(true, features) })
+        };
         let both = [false, true].into_iter();
-        both.flat_map(|subgroups| features.map(|features| Self { subgroups, features })).collect()
+        let large = both.flat_map(|subgroups| features.map(|all| Self::of(subgroups, all)));
+        large.chain(features.into_iter().filter_map(small)).collect()
     }
 }

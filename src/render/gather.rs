@@ -8,7 +8,7 @@ use super::interleave::Subsets;
 use super::kernels::{self, Sharing};
 use super::light_set::LightSet;
 use super::stages::{Named, Stage};
-use super::visibility::{Tracer, point_groups};
+use super::visibility::Tracer;
 use super::visible::PointClusters;
 use super::{Phases, Prepared};
 use crate::gpu::{ExpandParams, GpuError, ShadeParams, VisibilityParams};
@@ -237,7 +237,9 @@ impl<'a> Gather<'a> {
                 first_point,
                 pad: [0; 2],
             };
-            let groups = [point_groups(self.prepared, points), 1];
+            // With subgroups an invocation has four points.
+            let lane = if self.prepared.gpu.has_subgroups() { 4 } else { 1 };
+            let groups = [points.div_ceil(64 * lane), 1];
             phases.shading += chunk.shade.run(self.prepared, &params, groups)?;
         }
         Ok(rays)

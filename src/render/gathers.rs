@@ -58,8 +58,8 @@ pub struct Clustered {
     pub tiling: Tiling,
     /// What the camera rays have hit.
     pub records: Vec<PointRecord>,
-    /// What comes back of their radiance, where mirrors or glass are in the way.
-    pub throughputs: Option<Vec<[f32; 4]>>,
+    /// What else is known of them, in the order of `stages::Buffers::kept`.
+    pub kept: Vec<Vec<[f32; 4]>>,
     /// Which of the probes they see, a bit each.
     pub signatures: Option<Vec<u32>>,
     /// Who is in which cluster.
@@ -96,9 +96,8 @@ impl<'a> TileRenderer<'a> {
             None => None,
         };
         let mut records = vec![PointRecord::zeroed(); self.tiling.all_points()];
+        let mut kept = vec![vec![[0.0; 4]; records.len()]; buffers.kept.len()];
         let mut signatures = asked.as_ref().map(|_| vec![0; records.len()]);
-        let kept = buffers.throughputs.as_ref();
-        let mut throughputs = kept.map(|_| vec![[0.0; 4]; records.len()]);
         progress(0.0, "visible points");
         for tile in self.tiling.tiles() {
             phases.visible_points +=
@@ -106,9 +105,9 @@ impl<'a> TileRenderer<'a> {
             let start = Instant::now();
             let read: Vec<PointRecord> = gpu.read(&buffers.points, tile.points() as usize)?;
             records[tile.of_frame()].copy_from_slice(&read);
-            if let (Some(kept), Some(throughputs)) = (kept, &mut throughputs) {
-                let read: Vec<[f32; 4]> = gpu.read(kept, tile.points() as usize)?;
-                throughputs[tile.of_frame()].copy_from_slice(&read);
+            for ((_, buffer), kept) in buffers.kept.iter().zip(&mut kept) {
+                let read: Vec<[f32; 4]> = gpu.read(buffer, tile.points() as usize)?;
+                kept[tile.of_frame()].copy_from_slice(&read);
             }
             phases.readback += start.elapsed();
             if let (Some(probes), Some(signatures)) = (&asked, &mut signatures) {
@@ -123,13 +122,7 @@ impl<'a> TileRenderer<'a> {
         let clusters = PointClusters::of(&records, seen, clustering, self.seed);
         phases.cluster_points += start.elapsed();
         let tiling = self.tiling;
-        Ok(clusters.map(|clusters| Clustered {
-            tiling,
-            records,
-            throughputs,
-            signatures,
-            clusters,
-        }))
+        Ok(clusters.map(|clusters| Clustered { tiling, records, kept, signatures, clusters }))
     }
 
     /// What gathers direct light with clusters that have been found, if the settings ask for
@@ -142,7 +135,11 @@ impl<'a> TileRenderer<'a> {
             return Ok(Vec::new());
         }
         let lights = &self.prepared.lights;
-        let places = lights.places(self.settings.shared_light_samples(), hash(self.seed));
+        let places = lights.places(
+            &self.prepared.scene,
+            self.settings.shared_light_samples(),
+            hash(self.seed),
+        );
         let kinds = [(Emitter::Point, lights.points()), (Emitter::Surface, places)];
         let mut gathers = Vec::new();
         for (emitter, lights) in kinds {

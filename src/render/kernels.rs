@@ -1,37 +1,53 @@
 //! Which shader files make which kernel, and which kernels a scene needs.
 
 pub mod path;
+mod surfaces;
+mod tracing;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::{Clamp, Direct, LightKind, Method, Prepared, Settings, Sky, Target};
+use super::literals::Literals;
+use super::{Clamp, Direct, Features, LightKind, Method, Prepared, Settings, Sky, Target};
 use crate::gpu::module::{
-    ALBEDO_PLAIN, ANTIALIAS, AREA_LIGHT, BACKGROUND, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE,
+    ANTIALIAS, AREA_LIGHT, BACKGROUND, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, CORNERS,
     DIRECT, DIRECT_EXACT, DIRECT_SAMPLED, DIRECTIONAL_LIGHT, DRAW_ONE, DRAW_RESAMPLED, EMIT,
     EMITTER_POINT, EMITTER_SURFACE, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
     ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, EXPAND, FINISH, FOLLOW_NONE,
     FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS, HEMISPHERE, HIT_POINT,
-    INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LIGHT_SAMPLE, LOBES_DIFFUSE, LOBES_PHONG,
-    LOCAL_LIGHT, MIRROR, ONE_SURFACE, PACKET_RAYS, PACKET_SHAFT, PAIR_BOUNDED, PAIR_DIFFUSE,
-    PAIR_GLOSSY, PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE,
-    ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE,
-    SHADE_GLOSSY, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED,
+    INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LIGHT_SAMPLE, LITERAL_RAY, LOBES_DIFFUSE,
+    LOBES_PHONG, LOCAL_LIGHT, MIRROR, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
+    PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER,
+    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY,
+    SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED,
     SPOT_LIGHT, THROUGHPUT_KEPT, THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER,
-    TURN_GLASS, TURN_MIRROR, TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_KEPT, VIEW_NONE,
-    VISIBILITY, VISIBILITY_PACKET, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
+    TURN_GLASS, TURN_MIRROR, TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_KEPT, VIEW_NONE, VISIBLE,
+    VPL_DIFFUSE, VPL_GLOSSY,
 };
-use crate::gpu::{CATALOGUE, Gpu, GpuError, Kernel, Module, Program};
+use crate::gpu::{CATALOGUE, GpuError, Kernel, Module, Program, TriangleRecord};
+pub use tracing::Tracing;
+
+pub use surfaces::shapes;
 
 /// How rays are traced that neighbours trace alike.
 fn traverse(target: Target) -> &'static Module {
-    if target.subgroups { &TRAVERSE_PACKET } else { &TRAVERSE }
+    match target.subgroups {
+        _ if target.literals => &LITERAL_RAY,
+        true => &TRAVERSE_PACKET,
+        false => &TRAVERSE,
+    }
 }
 
 /// Camera rays.
 pub fn visible_points(target: Target) -> Program {
     let keep = if target.features.specular() { &KEEP_THROUGHPUT } else { &KEEP_THROUGHPUT_NONE };
-    let modules = camera_rays(target, &[view(target), keep, &VISIBLE]);
-    Program { label: "visible points", modules }
+    let mut modules = camera_rays(target, &kept(target.features));
+    modules.extend([view(target), keep, &VISIBLE]);
+    Program::new("visible points", modules)
+}
+
+/// What is kept of points by the pass that finds them.
+fn kept(features: Features) -> Vec<&'static Module> {
+    [surfaces::kept(features), surfaces::keep(features)].concat()
 }
 
 /// More camera rays where pixels see edges.
@@ -42,23 +58,25 @@ pub fn antialias(target: Target) -> Program {
     };
     let last = [&unseen[..], &[throughput(target), &ONE_SURFACE, &ANTIALIAS]].concat();
     let modules = camera_rays(target, &last);
-    Program { label: "antialiasing", modules }
+    Program::new("antialiasing", modules)
 }
 
 fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &PIXELS, &RAY, traverse(target), &CAMERA];
-    [&first[..], &follow(target), last].concat()
+    let (first, rays) = ([&TYPES, &SAMPLING, &PIXELS], surfaces::rays(target));
+    [&first[..], &rays, &[&CAMERA], &follow(target), last].concat()
 }
 
 /// How rays go on at mirrors and glass, and what they see.
 fn follow(target: Target) -> Vec<&'static Module> {
+    // The other ways to trace rays load all triangles.
+    let corners: &[&Module] = if target.literals { &[&CORNERS, &SHAPE_TRIANGLE] } else { &[] };
     let turns: &[&Module] = match (target.features.mirror, target.features.glass) {
-        (false, false) => return vec![&HIT_POINT, &FOLLOW_NONE],
+        (false, false) => return [corners, &[&HIT_POINT, &FOLLOW_NONE]].concat(),
         (true, false) => &[&MIRROR, &TURN_MIRROR],
         (false, true) => &[&GLASS, &TURN_GLASS],
         (true, true) => &[&MIRROR, &GLASS, &TURN_EITHER],
     };
-    [&[&HIT_POINT, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
+    [corners, &[&HIT_POINT, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
 }
 
 /// Whether a visible point keeps where it is seen from.
@@ -94,7 +112,11 @@ fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
         LightKind::Point => vec![&LIGHT_SAMPLE, &POINT_LIGHT, &LOCAL_LIGHT],
         LightKind::Spot => vec![&LIGHT_SAMPLE, &SPOT_LIGHT, &LOCAL_LIGHT],
         LightKind::Directional => vec![&LIGHT_SAMPLE, &DIRECTIONAL_LIGHT],
-        LightKind::Area => vec![&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT],
+        LightKind::Area => {
+            let mut modules = surfaces::light_glow(target.features);
+            modules.extend([&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT]);
+            modules
+        }
         LightKind::Environment => match target.features.sky {
             Sky::Image => vec![
                 &LIGHT_SAMPLE,
@@ -114,7 +136,8 @@ fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
 pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING];
     modules.extend(lobes(target));
-    modules.extend([&RAY, traverse(target), &DIRECT]);
+    modules.extend(surfaces::rays(target));
+    modules.push(&DIRECT);
     modules.extend(lights_of(target, kind));
     match kind.is_exact() {
         true => modules.push(&DIRECT_EXACT),
@@ -127,7 +150,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
         LightKind::Area => "direct light, areas",
         LightKind::Environment => "direct light, environment",
     };
-    Program { label, modules }
+    Program::new(label, modules)
 }
 
 /// The program for direct light from the lights of a kind in a scene.
@@ -135,30 +158,6 @@ pub fn direct_for(prepared: &Prepared, kind: LightKind) -> Program {
     /// A lamp or two, of which all points see much the same.
     const FEW_LIGHTS: u32 = 16;
     direct(prepared.target(), kind, prepared.lights.count(kind) > FEW_LIGHTS)
-}
-
-/// How the shadow rays between points and VPLs are traced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tracing {
-    /// Each ray by itself, for adapters without subgroups.
-    Single,
-    /// Packets against boxes as a whole.
-    Shaft,
-    /// Packets against boxes ray by ray.
-    Rays,
-}
-
-impl Tracing {
-    /// Hierarchies of more nodes have boxes so small that a packet is best tested ray by ray.
-    const SHAFT_NODES: usize = 1000;
-
-    fn of(prepared: &Prepared) -> Self {
-        match prepared.gpu.has_subgroups() {
-            false => Self::Single,
-            true if prepared.bvh.nodes.len() <= Self::SHAFT_NODES => Self::Shaft,
-            true => Self::Rays,
-        }
-    }
 }
 
 /// How many rays one invocation may trace in a dispatch, a power of two up to the 32 of a
@@ -202,13 +201,15 @@ impl Emitter {
 
 /// Shadow rays between points and lights.
 pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program {
-    let mut modules = vec![&TYPES, vpl(target), &RAY, emitter.module(), &BITS];
+    let mut modules = vec![&TYPES, vpl(target)];
     modules.extend(match tracing {
-        Tracing::Single => [&TRAVERSE, &VISIBILITY],
-        Tracing::Shaft => [&PACKET_SHAFT, &VISIBILITY_PACKET],
-        Tracing::Rays => [&PACKET_RAYS, &VISIBILITY_PACKET],
+        Tracing::Single => shapes(target.features),
+        Tracing::Shaft | Tracing::Rays => surfaces::blockers(target.features),
+        Tracing::Literals => vec![&RAY],
     });
-    Program { label: "visibility", modules }
+    modules.extend([emitter.module(), &BITS]);
+    modules.extend(tracing.modules());
+    Program::new("visibility", modules)
 }
 
 /// The visibility program that suits a scene and its device.
@@ -218,13 +219,13 @@ pub fn visibility_for(prepared: &Prepared, emitter: Emitter) -> Program {
 
 /// Visibility of VPLs from that of their clusters.
 pub fn expand() -> Program {
-    Program { label: "expansion", modules: vec![&EXPAND] }
+    Program::new("expansion", vec![&EXPAND])
 }
 
 /// Interleaved sampling: points into the order of subsets.
 pub fn separate() -> Program {
     let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &SEPARATE];
-    Program { label: "separation", modules }
+    Program::new("separation", modules)
 }
 
 /// Interleaved sampling: what points have gathered into rows of pixels, with signatures where
@@ -232,13 +233,13 @@ pub fn separate() -> Program {
 pub fn collect(target: Target, probed: bool) -> Program {
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
     let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, signature, &COLLECT];
-    Program { label: "collection", modules }
+    Program::new("collection", modules)
 }
 
 /// Interleaved sampling: what the pixels around have gathered.
 pub fn combine(target: Target) -> Program {
     let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, &ONE_SURFACE, &COMBINE];
-    Program { label: "combination", modules }
+    Program::new("combination", modules)
 }
 
 /// Whose row of the bit matrix a point reads.
@@ -269,25 +270,30 @@ pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) 
         true => &SHADE_COOPERATIVE,
         false => &SHADE,
     });
-    Program { label: "shading", modules }
+    Program::new("shading", modules)
 }
 
 /// Emission towards the camera.
-pub fn emit() -> Program {
-    Program { label: "emission", modules: vec![&TYPES, &THROUGHPUT_NONE, &EMIT] }
+pub fn emit(target: Target) -> Program {
+    let modules = vec![&TYPES, &THROUGHPUT_NONE, surfaces::glow(target.features), &EMIT];
+    Program::new("emission", modules)
 }
 
 /// Radiance of the environment towards the camera.
 pub fn background(target: Target) -> Option<Program> {
     let sky = sky(target)?;
     let modules = [&[&TYPES][..], &sky, &[&THROUGHPUT_NONE, &BACKGROUND]].concat();
-    Some(Program { label: "background", modules })
+    Some(Program::new("background", modules))
 }
 
 /// What the camera sees emitted in a scene.
 pub fn emitted(prepared: &Prepared) -> Vec<Program> {
     let areas = prepared.lights.count(LightKind::Area) > 0;
-    areas.then(emit).into_iter().chain(background(prepared.target())).collect()
+    areas
+        .then(|| emit(prepared.target()))
+        .into_iter()
+        .chain(background(prepared.target()))
+        .collect()
 }
 
 /// The radiance of the environment, if there is one.
@@ -301,23 +307,25 @@ fn sky(target: Target) -> Option<Vec<&'static Module>> {
 
 /// What visible points have gathered to reflected radiance.
 pub fn reflect(target: Target) -> Program {
-    let modules = [&[&TYPES][..], &lobes(target), &[&ALBEDO_PLAIN, &REFLECT]].concat();
-    Program { label: "reflection", modules }
+    let albedo = surfaces::albedo(target.features);
+    let modules = [&[&TYPES][..], &lobes(target), &[albedo, &REFLECT]].concat();
+    Program::new("reflection", modules)
 }
 
 /// What the clamp removed.
 pub fn removed(target: Target) -> Program {
-    let modules = [&[&TYPES][..], &lobes(target), &[&ALBEDO_PLAIN, &REMOVED]].concat();
-    Program { label: "clamped energy", modules }
+    let albedo = surfaces::albedo(target.features);
+    let modules = [&[&TYPES][..], &lobes(target), &[albedo, &REMOVED]].concat();
+    Program::new("clamped energy", modules)
 }
 
 /// Radiance of visible points to the film, through mirrors and glass.
 pub fn resolve(target: Target) -> Program {
-    Program { label: "throughput", modules: vec![&TYPES, throughput(target), &RESOLVE] }
+    Program::new("throughput", vec![&TYPES, throughput(target), &RESOLVE])
 }
 
 /// The picture of a method without light; none for the others.
-pub fn show(method: Method) -> Option<Program> {
+pub fn show(target: Target, method: Method) -> Option<Program> {
     let (label, module) = match method {
         Method::Normal => ("normals", &SHOW_NORMAL),
         Method::Depth => ("depth", &SHOW_DEPTH),
@@ -325,9 +333,9 @@ pub fn show(method: Method) -> Option<Program> {
         _ => return None,
     };
     let mut modules = vec![&TYPES];
-    modules.extend((method == Method::Albedo).then_some(&ALBEDO_PLAIN));
+    modules.extend((method == Method::Albedo).then(|| surfaces::albedo(target.features)));
     modules.push(module);
-    Some(Program { label, modules })
+    Some(Program::new(label, modules))
 }
 
 /// The programs that a scene and settings need: the one list of what is linked.
@@ -337,7 +345,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     }
     let target = prepared.target_of(settings);
     let mut programs = vec![visible_points(target)];
-    programs.extend(show(settings.method));
+    programs.extend(show(target, settings.method));
     if !settings.method.is_lit() {
         return programs;
     }
@@ -383,19 +391,24 @@ impl Kernels {
     /// Compiles what a scene and settings need.
     pub(super) fn prepare(&self, prepared: &Prepared, settings: &Settings) -> Result<(), GpuError> {
         for program in needed(prepared, settings) {
-            self.get(&prepared.gpu, &program)?;
+            self.get(prepared, program)?;
         }
         Ok(())
     }
 
     /// The kernel of a program, compiled at most once.
-    pub(super) fn get(&self, gpu: &Gpu, program: &Program) -> Result<Arc<Kernel>, GpuError> {
+    pub(super) fn get(
+        &self,
+        prepared: &Prepared,
+        program: Program,
+    ) -> Result<Arc<Kernel>, GpuError> {
+        let program = prepared.complete(program);
         let mut kernels = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, kernel)) = kernels.iter().find(|(known, _)| known == program) {
+        if let Some((_, kernel)) = kernels.iter().find(|(known, _)| *known == program) {
             return Ok(kernel.clone());
         }
-        let kernel = Arc::new(gpu.compile(program)?);
-        kernels.push((program.clone(), kernel.clone()));
+        let kernel = Arc::new(prepared.gpu.compile(&program)?);
+        kernels.push((program, kernel.clone()));
         Ok(kernel)
     }
 
@@ -423,16 +436,20 @@ fn has_kind(target: Target, kind: LightKind) -> bool {
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![emit(), expand(), separate()];
+    let mut programs = vec![expand(), separate()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
-            let tracing = [Tracing::Single, Tracing::Shaft, Tracing::Rays];
+            // Literals are of triangles alone.
+            let linked = |tracing: &Tracing| *tracing != Tracing::Literals || target.literals;
+            let tracing = Tracing::ALL.into_iter().filter(linked);
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
         programs.extend([visible_points(target), antialias(target), resolve(target)]);
-        programs.extend([reflect(target), removed(target), combine(target)]);
+        programs.extend([emit(target), reflect(target), removed(target), combine(target)]);
         programs.extend([false, true].map(|probed| collect(target, probed)));
         programs.extend(background(target));
+        let shown = [Method::Normal, Method::Depth, Method::Albedo];
+        programs.extend(shown.into_iter().filter_map(|method| show(target, method)));
         for kind in LightKind::ALL.into_iter().filter(|&kind| has_kind(target, kind)) {
             programs.extend([false, true].map(|many| direct(target, kind, many)));
         }
@@ -445,10 +462,13 @@ pub fn all_programs() -> Vec<Program> {
         }
         programs.extend(path::all(target));
     }
-    programs.extend([Method::Normal, Method::Depth, Method::Albedo].into_iter().filter_map(show));
     programs.extend(path::common());
+    let example =
+        TriangleRecord { b: [1.0, 0.0, 0.0], c: [0.0, 1.0, 0.0], ..bytemuck::Zeroable::zeroed() };
+    let literals = Literals::of_triangles(&[example], &[], true);
+    let complete = |program| literals.iter().fold(program, |of, literals| literals.complete(of));
     let mut distinct: Vec<Program> = Vec::new();
-    for program in programs {
+    for program in programs.into_iter().map(complete) {
         if !distinct.contains(&program) {
             distinct.push(program);
         }

@@ -61,6 +61,8 @@ impl LightKind {
 pub struct Lights {
     /// Emitting triangles.
     pub area: Table<AreaLightRecord>,
+    /// The triangles that they are, by their indices in the scene.
+    pub emitters: Vec<u32>,
     /// Lights without extent that shine in all directions.
     pub point: Table<PointLightRecord>,
     /// Those that shine into a cone.
@@ -88,6 +90,7 @@ impl Lights {
         let bounds = Bounds::of(scene);
         Self {
             area: area::triangles(scene),
+            emitters: scene.emitters().collect(),
             point: point::points(scene),
             spot: point::spots(scene),
             directional: directional::directional(scene, &bounds),
@@ -155,8 +158,8 @@ impl Lights {
     }
 
     /// `count` places on the area lights, as lights that together give the light of all.
-    pub fn places(&self, count: u32, seed: u32) -> Vec<VirtualLight> {
-        area::places(&self.area, count, seed)
+    pub fn places(&self, scene: &Scene, count: u32, seed: u32) -> Vec<VirtualLight> {
+        area::places(scene, self, count, seed)
     }
 
     /// The point lights, as lights without a surface.
@@ -206,8 +209,9 @@ impl Lights {
     ) -> Option<(Start, f32)> {
         Some(match kind {
             LightKind::Area => {
-                let (light, probability, rest) = self.area.at(at)?;
-                (area::start(light, rest, u), probability)
+                let (index, probability, rest) = self.area.index_at(at)?;
+                let light = &self.area.records[index];
+                (area::start(scene, light, self.emitters[index], rest, u), probability)
             }
             LightKind::Point => {
                 let (light, probability, _) = self.point.at(at)?;

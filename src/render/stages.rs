@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Direct, LightKind, Prepared, Settings, Target, kernels};
+use super::{Direct, Features, LightKind, Prepared, Settings, Target, kernels};
 use crate::gpu::{Bindings, CameraParams, Gpu, GpuError, Kernel, Pass, PointRecord, Program};
 
 /// A kernel with its buffers bound, and the buffer of its parameters.
@@ -22,13 +22,13 @@ pub struct Buffers {
     pub film: wgpu::Buffer,
     /// Visible points of one sample.
     pub points: wgpu::Buffer,
+    /// What else is known of them.
+    pub kept: Vec<Kept>,
     /// Irradiance of the kind of light being gathered.
     pub irradiance: Option<wgpu::Buffer>,
     /// Radiance of the visible points of a sample, where edges are antialiased, or mirrors or glass
     /// may be in the way.
     pub radiance: Option<wgpu::Buffer>,
-    /// What comes back of that radiance through mirrors and glass.
-    pub throughputs: Option<wgpu::Buffer>,
     /// Indirect radiance that was reflected and that the clamp removed.
     pub energy: Option<wgpu::Buffer>,
 }
@@ -36,9 +36,27 @@ pub struct Buffers {
 /// A buffer and the name by which shaders know it.
 pub type Named<'a> = (&'a str, &'a wgpu::Buffer);
 
+/// What the rays that find points keep of them beside their records: a name, and four numbers a
+/// point.
+pub type Kept = (&'static str, wgpu::Buffer);
+
+/// What a scene's features ask to be kept of so many points.
+///
+/// # Errors
+/// The device refuses.
+pub fn keep(gpu: &Gpu, features: Features, points: usize) -> Result<Vec<Kept>, GpuError> {
+    let names = [
+        ("albedos", features.textures),
+        ("glows", features.glows),
+        ("throughputs", features.specular()),
+    ];
+    let asked = names.into_iter().filter(|(_, is)| *is);
+    asked.map(|(name, _)| Ok((name, gpu.storage::<[f32; 4]>(name, points)?))).collect()
+}
+
 impl Buffers {
     fn new(
-        gpu: &Gpu,
+        prepared: &Prepared,
         points: usize,
         gathers: bool,
         clamps: bool,
@@ -46,31 +64,25 @@ impl Buffers {
         target: Target,
     ) -> Result<Self, GpuError> {
         let specular = target.features.specular();
+        let gpu = &prepared.gpu;
         let colours = |label: &str| gpu.storage::<[f32; 4]>(label, points);
         Ok(Self {
             film: colours("film")?,
             points: gpu.storage::<PointRecord>("visible points", points)?,
+            kept: keep(gpu, target.features, points)?,
             irradiance: gathers
                 .then(|| gpu.storage::<[f32; 4]>("irradiance", points * target.lobes()))
                 .transpose()?,
             radiance: (edges || specular).then(|| colours("radiance")).transpose()?,
-            throughputs: specular.then(|| colours("throughputs")).transpose()?,
             energy: clamps.then(|| gpu.storage::<[f32; 2]>("energy", points)).transpose()?,
         })
     }
 
     /// These and the scene's, by name.
     pub fn named<'a>(&'a self, prepared: &'a Prepared) -> Vec<Named<'a>> {
-        let mut named = vec![
-            ("nodes", &prepared.nodes),
-            ("triangles", &prepared.triangles),
-            ("materials", &prepared.materials),
-            ("points", &self.points),
-            ("film", &self.film),
-        ];
+        let mut named = vec![("points", &self.points), ("film", &self.film)];
+        named.extend(prepared.tables.iter().chain(&self.kept).map(|(name, of)| (*name, of)));
         named.extend(prepared.environment());
-        named.extend(prepared.finishes.as_ref().map(|buffer| ("finishes", buffer)));
-        named.extend(self.throughputs.as_ref().map(|buffer| ("throughputs", buffer)));
         named.extend(self.radiance.as_ref().map(|buffer| ("radiance", buffer)));
         named.extend(self.irradiance.as_ref().map(|buffer| ("irradiance", buffer)));
         named.extend(self.energy.as_ref().map(|buffer| ("energy", buffer)));
@@ -119,7 +131,7 @@ impl Stages {
         let gathers = direct || indirect;
         let edges = settings.antialiases();
         let target = prepared.target_of(settings);
-        let buffers = Buffers::new(&prepared.gpu, points, gathers, clamps, edges, target)?;
+        let buffers = Buffers::new(prepared, points, gathers, clamps, edges, target)?;
         let on_film = buffers.named(prepared);
         // The first buffer of a name counts.
         let mut named = Vec::new();
@@ -144,7 +156,7 @@ impl Stages {
             resolve: (target.features.specular() && !edges)
                 .then(|| Stage::new(prepared, &kernels::resolve(target), &on_film))
                 .transpose()?,
-            show: kernels::show(settings.method).map(bind).transpose()?,
+            show: kernels::show(target, settings.method).map(bind).transpose()?,
             emit: kernels::emitted(prepared)
                 .into_iter()
                 .filter(|_| lit)
@@ -168,7 +180,7 @@ impl Stage {
         program: &Program,
         buffers: &[Named<'_>],
     ) -> Result<Self, GpuError> {
-        let kernel = prepared.kernels.get(&prepared.gpu, program)?;
+        let kernel = prepared.kernels.get(prepared, program.clone())?;
         // The largest of the parameter records; a kernel reads its own.
         let params = prepared.gpu.parameters::<CameraParams>("parameters")?;
         let buffers = [buffers, &[("params", &params)]].concat();

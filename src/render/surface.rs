@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use crate::bvh::Hit;
-use crate::scene::Scene;
+use crate::scene::{Scene, texture};
 
 /// A place on a surface, on the side from which a ray came.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,16 +23,54 @@ pub struct Surface {
 impl Surface {
     /// What a ray of this direction has hit.
     pub fn of(scene: &Scene, hit: &Hit, direction: Vec3) -> Self {
-        let triangle = &scene.triangles[hit.triangle as usize];
-        let [a, b, c] = triangle.vertices;
-        let normal = triangle.scaled_normal().normalize();
+        let (position, normal) = place(scene, hit);
         let front = normal.dot(direction) <= 0.0;
+        let material = &scene.materials[hit.material as usize];
+        let texture = textured(scene, material.texture, hit);
         Self {
-            position: a * hit.weights[0] + b * hit.weights[1] + c * hit.weights[2],
+            position,
             normal: if front { normal } else { -normal },
             front,
-            albedo: scene.materials[hit.material as usize].albedo,
+            albedo: material.albedo * texture,
             material: hit.material,
         }
     }
+}
+
+/// Where a hit is, and the unit normal of the front.
+fn place(scene: &Scene, hit: &Hit) -> (Vec3, Vec3) {
+    match scene.triangles.get(hit.shape as usize) {
+        Some(triangle) => {
+            let [a, b, c] = triangle.vertices;
+            let position = a * hit.weights[0] + b * hit.weights[1] + c * hit.weights[2];
+            (position, triangle.scaled_normal().normalize())
+        }
+        None => {
+            let sphere = &scene.spheres[hit.shape as usize - scene.triangles.len()];
+            let normal = Vec3::from_array(hit.weights);
+            (sphere.center + sphere.radius * normal, normal)
+        }
+    }
+}
+
+/// What a texture multiplies by where a ray has hit.
+fn textured(scene: &Scene, used: Option<u32>, hit: &Hit) -> Vec3 {
+    let Some(used) = used else { return Vec3::ONE };
+    let uv = match scene.uvs.get(hit.shape as usize) {
+        Some(corners) => texture::on_triangle(*corners, hit.weights),
+        None => texture::on_sphere(Vec3::from_array(hit.weights)),
+    };
+    scene.textures[used as usize].sample(&scene.images, uv).truncate()
+}
+
+/// What the radiance of an emitting triangle is multiplied by at a place. The twin of
+/// `shaders/light_textured.wgsl`.
+pub fn light_glow(scene: &Scene, triangle: u32, weights: [f32; 3]) -> Vec3 {
+    let material = &scene.materials[scene.triangles[triangle as usize].material as usize];
+    let uv = || texture::on_triangle(scene.uvs[triangle as usize], weights);
+    let sample = |used: u32| scene.textures[used as usize].sample(&scene.images, uv());
+    if material.cutout.is_some_and(|cutout| sample(cutout).w < 0.5) {
+        return Vec3::ZERO;
+    }
+    material.emission_texture.map_or(Vec3::ONE, |used| sample(used).truncate())
 }

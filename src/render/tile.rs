@@ -86,8 +86,8 @@ impl<'a> TileRenderer<'a> {
                 let run = tile.of_frame();
                 let subsets = self.interleave.as_ref().map(|interleave| interleave.subsets(tile));
                 gpu.write(&buffers.points, &clustered.records[run.clone()])?;
-                if let (Some(kept), Some(from)) = (&buffers.throughputs, &clustered.throughputs) {
-                    gpu.write(kept, &from[run.clone()])?;
+                for ((_, buffer), kept) in buffers.kept.iter().zip(&clustered.kept) {
+                    gpu.write(buffer, &kept[run.clone()])?;
                 }
                 if let (Some(interleave), Some(seen)) = (&self.interleave, &clustered.signatures) {
                     interleave.set_signatures(self.prepared, &seen[run.clone()])?;

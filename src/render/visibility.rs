@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
-use super::kernels::{self, Emitter};
+use super::kernels::{self, Emitter, Tracing};
 use super::light_set::LightSet;
 use super::stages::{Named, Stage};
 use super::{Phases, Prepared};
@@ -39,14 +39,6 @@ pub fn dispatch_rays(prepared: &Prepared) -> u32 {
 
 fn is_large(prepared: &Prepared) -> bool {
     prepared.bvh.nodes.len() > LARGE_SCENE_NODES
-}
-
-/// Workgroups for so many points: with subgroups a lane has four.
-pub fn point_groups(prepared: &Prepared, points: u32) -> u32 {
-    match prepared.gpu.has_subgroups() {
-        true => points.div_ceil(4 * 64),
-        false => points.div_ceil(64),
-    }
 }
 
 impl<'a> Tracer<'a> {
@@ -104,7 +96,8 @@ impl<'a> Tracer<'a> {
         for offset in (0..words).step_by(slice as usize) {
             let first_word = params.matrix_word + offset;
             progress(f64::from(first_word) / f64::from(self.words));
-            let groups = [point_groups(self.prepared, params.rows), slice.min(words - offset)];
+            let points = 64 * Tracing::of(self.prepared).points();
+            let groups = [params.rows.div_ceil(points), slice.min(words - offset)];
             let params = VisibilityParams { first_word, ..params };
             rays += self.trace_words(visibility, params, groups)?;
         }

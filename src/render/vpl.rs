@@ -165,7 +165,9 @@ pub fn density_bound(vpls: &[Vpl], scene: &Scene) -> Option<f32> {
         PI * median / k as f32
     } else {
         // One VPL, or all at one place: they share the whole surface.
-        scene.triangles.iter().map(|t| t.area()).sum::<f32>() / vpls.len() as f32
+        let spheres = scene.spheres.iter().map(|sphere| 4.0 * PI * sphere.radius.powi(2));
+        let areas = scene.triangles.iter().map(|triangle| triangle.area()).chain(spheres);
+        areas.sum::<f32>() / vpls.len() as f32
     };
     Some(SHARE * PI / area)
 }

@@ -1,6 +1,7 @@
 //! Wavefront OBJ: [`scan`] checks the text, `tobj` reads the polygons, [`polygon`] cuts them.
 //! Texture coordinates are the scan's: `tobj` loses count of faces that have none.
 
+mod lines;
 mod scan;
 
 use std::collections::HashMap;
@@ -106,7 +107,7 @@ fn read_polygons(file: &Path, scan: &mut Scan) -> Result<Vec<Triangle>, SceneErr
         let materials = (0..names).map(material).collect();
         Ok((materials, (0..names).map(|i| (i.to_string(), i)).collect()))
     };
-    let mut lines = scan::CountLines::new(&scan.text);
+    let mut lines = lines::CountLines::new(&scan.text);
     let options =
         tobj::LoadOptions { ignore_points: true, ignore_lines: true, ..Default::default() };
     let (models, _) = tobj::load_obj_buf(&mut lines, &options, |_| library())

@@ -3,6 +3,8 @@
 pub mod decode;
 mod files;
 
+use std::f32::consts::{PI, TAU};
+
 use glam::{Vec2, Vec3, Vec4};
 
 pub use files::{ImageFiles, Part, read_image};
@@ -76,6 +78,19 @@ impl Texture {
         let bottom = image.texel(x0, y1).lerp(image.texel(x1, y1), x);
         top.lerp(bottom, y)
     }
+}
+
+/// Texture coordinates of a place on a triangle, from those of its corners.
+pub fn on_triangle([a, b, c]: [Vec2; 3], weights: [f32; 3]) -> Vec2 {
+    a * weights[0] + b * weights[1] + c * weights[2]
+}
+
+/// Texture coordinates of the place on a sphere that has this unit normal: u goes around +y,
+/// eastwards from -z, and is one half at +z; v goes from the pole at +y to that at -y.
+pub fn on_sphere(normal: Vec3) -> Vec2 {
+    let across = normal.x.hypot(normal.z);
+    let turn = libm::atan2f(normal.x, normal.z);
+    Vec2::new(0.5 + turn / TAU, libm::atan2f(across, normal.y) / PI)
 }
 
 /// The two texels nearest to a place along an axis, and how far it is from the first to the

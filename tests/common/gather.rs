@@ -9,6 +9,8 @@ use gpu_vpl::render::Target;
 use gpu_vpl::render::kernels::{Emitter, Sharing, Tracing, rays_at_once, shade, visibility};
 use gpu_vpl::sampling::SURFACE_OFFSET;
 
+use super::tracing::World;
+
 pub fn point(position: Vec3, normal: Vec3) -> PointRecord {
     let (position, normal) = (position.to_array(), normal.to_array());
     PointRecord { position, surface: 0, normal, depth: 0.0 }
@@ -90,6 +92,18 @@ pub fn visible(
     pass.run(slices, rays_at_once(bvh.nodes.len())).expect("all loops come to their end")
 }
 
+/// As [`visible`], in one dispatch.
+pub fn visible_in(
+    world: &World,
+    tracing: Tracing,
+    points: &[PointRecord],
+    vpls: &[VplRecord],
+) -> (Vec<u32>, u64) {
+    let pass = VisibilityPass::in_world(super::gpu(), tracing, world, points, vpls);
+    let words = vpls.len().div_ceil(32) as u32;
+    pass.run(&[words], rays_at_once(world.bvh.nodes.len())).expect("all loops come to their end")
+}
+
 /// The visibility pass with its buffers, ready to run.
 pub struct VisibilityPass<'a> {
     gpu: &'a Gpu,
@@ -111,29 +125,37 @@ impl<'a> VisibilityPass<'a> {
         points: &[PointRecord],
         vpls: &[VplRecord],
     ) -> Self {
-        let kernel = gpu
-            .compile(&visibility(
-                Target::plain(tracing != Tracing::Single),
-                tracing,
-                Emitter::Surface,
-            ))
-            .unwrap();
+        Self::in_world(gpu, tracing, &World::of_triangles(bvh), points, vpls)
+    }
+
+    pub fn in_world(
+        gpu: &'a Gpu,
+        tracing: Tracing,
+        world: &World,
+        points: &[PointRecord],
+        vpls: &[VplRecord],
+    ) -> Self {
+        let target = Target::of(tracing != Tracing::Single, world.features);
+        let program = visibility(target, tracing, Emitter::Surface);
+        let program = world.literals.iter().fold(program, |of, literals| literals.complete(of));
+        let kernel = gpu.compile(&program).unwrap();
         let params = gpu.parameters::<VisibilityParams>("params").unwrap();
         // What a pass leaves alone stays as it is here.
         let words = vpls.len().div_ceil(32);
         let bits = gpu.storage_of("bits", &vec![u32::MAX; words * points.len()]).unwrap();
         let counter = gpu.storage::<u32>("counter", 3).unwrap();
-        let buffers = [
+        let points_buffer = gpu.storage_of("points", points).unwrap();
+        let vpls_buffer = gpu.storage_of("vpls", &whole_words(vpls)).unwrap();
+        let own = [
             ("params", &params),
-            ("nodes", &gpu.storage_of("nodes", &bvh.nodes).unwrap()),
-            ("triangles", &gpu.storage_of("triangles", &bvh.triangles).unwrap()),
-            ("points", &gpu.storage_of("points", points).unwrap()),
-            ("vpls", &gpu.storage_of("vpls", &whole_words(vpls)).unwrap()),
+            ("points", &points_buffer),
+            ("vpls", &vpls_buffer),
             ("bits", &bits),
             ("counter", &counter),
         ];
+        let buffers: Vec<_> = own.into_iter().chain(world.named()).collect();
         let bindings = gpu.bind(&kernel, &buffers).unwrap();
-        let counts = [points.len(), vpls.len(), bvh.nodes.len()];
+        let counts = [points.len(), vpls.len(), world.bvh.nodes.len()];
         Self { gpu, tracing, kernel, bindings, params, bits, counter, counts }
     }
 
@@ -160,7 +182,7 @@ impl<'a> VisibilityPass<'a> {
                     pad: [0; 3],
                 };
                 gpu.write(&self.params, &[record]).unwrap();
-                let groups = workgroups(*points, self.tracing != Tracing::Single);
+                let groups = workgroups(*points, self.tracing.points() == 4);
                 gpu.run(&[Pass { kernel, bindings, workgroups: [groups, slice] }]).unwrap();
             }
             first_word += slice;

@@ -12,10 +12,13 @@ pub mod tracing;
 
 use std::sync::OnceLock;
 
-use glam::{DVec3, Vec3, dvec3};
+use glam::{DVec3, Vec2, Vec3, dvec3};
 use gpu_vpl::gpu::{AdapterChoice, Gpu};
 use gpu_vpl::render::{self, Frame, Prepared, Settings};
-use gpu_vpl::scene::{Draft, DraftCamera, DraftMaterial, Finish, FovAxis, Origin, Scene, Triangle};
+use gpu_vpl::scene::{
+    Draft, DraftCamera, DraftMaterial, DraftSphere, Finish, FovAxis, Origin, Scene, Texels,
+    Texture, Triangle,
+};
 
 /// A device of one's own.
 pub fn open_gpu() -> Gpu {
@@ -149,6 +152,31 @@ impl Build {
                 self.polygon(material, &face);
             }
         }
+    }
+
+    pub fn sphere(&mut self, material: u32, center: DVec3, radius: f64) {
+        let (center, radius) = (self.place(center), radius * self.scale);
+        self.draft.spheres.push(DraftSphere { center, radius, material });
+    }
+
+    /// A texture of rows from the top; its index.
+    pub fn texture(&mut self, width: u32, rgba: Vec<[u8; 4]>) -> u32 {
+        let size = [width, rgba.len() as u32 / width];
+        self.draft.images.push(Texels { name: "image".to_owned(), size, rgba });
+        self.draft.textures.push(Texture::of(self.draft.images.len() as u32 - 1));
+        self.draft.textures.len() as u32 - 1
+    }
+
+    /// A parallelogram from a corner, its edges those of a whole texture: u along the first, v
+    /// along the second.
+    pub fn textured(&mut self, material: u32, corner: DVec3, across: DVec3, down: DVec3) {
+        let at = |u: f64, v: f64| corner + u * across + v * down;
+        let uv = |u: f32, v: f32| Vec2::new(u, v);
+        self.draft.uvs.resize(self.draft.triangles.len(), [Vec2::ZERO; 3]);
+        self.triangle(material, [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0)]);
+        self.triangle(material, [at(0.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)]);
+        self.draft.uvs.push([uv(0.0, 0.0), uv(1.0, 0.0), uv(1.0, 1.0)]);
+        self.draft.uvs.push([uv(0.0, 0.0), uv(1.0, 1.0), uv(0.0, 1.0)]);
     }
 
     /// A point light; its intensity grows with the scene, so that irradiance stays.

@@ -2,13 +2,15 @@
 
 mod bad;
 mod build;
+mod material;
+mod texture;
 
 use glam::{DVec3, Vec3};
 use gpu_vpl::scene::Scene;
 use serde_json::json;
 
 use super::{CAMERA, load, refused, warned};
-use build::{Edit, glb, gltf, load_files, load_gltf, quad};
+use build::{Edit, glb, gltf, load_files, load_gltf, quad, textured};
 
 fn center(scene: &Scene) -> DVec3 {
     scene.units.center
@@ -154,6 +156,33 @@ fn what_else_changes_the_image_is_a_warning() {
     warned(&scene, "1 nodes have EXT_mesh_gpu_instancing", true);
 }
 
+/// Valid documents, as text and as GLB.
+pub fn documents() -> Vec<(Vec<u8>, Vec<u8>)> {
+    let rich = textured().edit(&[
+        (
+            "/materials",
+            json!([{"name": "wood", "alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true,
+                "emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0, "texCoord": 0},
+                "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 2},
+                    "KHR_materials_transmission": {"transmissionFactor": 0.25},
+                    "KHR_materials_ior": {"ior": 1.25}},
+                "pbrMetallicRoughness": {"metallicFactor": 0.5, "roughnessFactor": 0.5,
+                    "baseColorFactor": [0.5, 0.5, 0.5, 0.75],
+                    "metallicRoughnessTexture": {"index": 0},
+                    "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform":
+                        {"rotation": 0.5, "scale": [1, 2], "offset": [0.5, 0.5]}}}}}]),
+        ),
+        ("/samplers", json!([{"wrapS": 33648, "wrapT": 33071}])),
+        ("/textures/0/sampler", json!(0)),
+        ("/nodes/0/matrix", json!([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 5, 3, 1])),
+    ]);
+    let sparse = json!({"count": 1, "indices": {"bufferView": 5, "componentType": 5121},
+        "values": {"bufferView": 6}});
+    let sparse = quad().edit(&[("/accessors/0/sparse", sparse)]);
+    let documents = [quad(), sparse, textured(), rich, viewed()];
+    documents.iter().map(|document| (gltf(document).into_bytes(), glb(document))).collect()
+}
+
 /// A quad, a camera that looks along +X and a light.
 fn viewed() -> Edit {
     let half = 0.5_f64.sqrt();
@@ -162,7 +191,8 @@ fn viewed() -> Edit {
             "/cameras",
             json!([
                 {"type": "orthographic", "name": "flat"},
-                {"type": "perspective", "perspective": {"yfov": 1.0, "znear": 0.1}},
+                {"type": "perspective", "perspective":
+                    {"yfov": 1.0, "znear": 0.1, "aspectRatio": 2.0}},
             ]),
         ),
         (
@@ -195,7 +225,7 @@ fn viewed() -> Edit {
 fn the_camera_and_the_lights_are_the_files() {
     let scene = load_gltf(&viewed()).unwrap();
     let camera = &scene.camera;
-    assert_eq!((camera.position, camera.size), (Vec3::new(-4.0, 0.0, 1.0), [512, 512]));
+    assert_eq!((camera.position, camera.size), (Vec3::new(-4.0, 0.0, 1.0), [512, 256]));
     assert!(camera.forward.distance(Vec3::X) < 1e-6 && camera.up.distance(Vec3::Y) < 1e-6);
     assert!((camera.half_tangents()[1] - 0.5_f32.tan()).abs() < 1e-6);
     assert_eq!(scene.point_lights.len(), 2);
@@ -250,4 +280,33 @@ fn a_scene_file_places_its_meshes_alone() {
     assert_eq!(scene.materials[0].albedo.to_array(), [0.1, 0.2, 0.3]);
     assert_eq!(of("material = \"paint\"\n").unwrap().materials[0].name, "paint");
     refused(of("material = \"gone\"\n"), "scene.toml:11", "nor among the mesh's own");
+}
+
+#[test]
+fn the_image_has_the_shape_that_the_camera_asks_for() {
+    let size = |aspect: f64| {
+        let aspect = ("/cameras/1/perspective/aspectRatio", json!(aspect));
+        load_gltf(&viewed().edit(&[aspect])).unwrap().camera.size
+    };
+    assert_eq!(size(16.0 / 9.0), [512, 288]);
+    assert_eq!(size(0.5), [512, 1024]);
+    assert_eq!((size(1e-9), size(1e9)), ([512, 4096], [512, 8]));
+    assert_eq!((size(0.0), size(-2.0)), ([512, 512], [512, 512]));
+}
+
+#[test]
+fn cones_and_intensities_are_checked() {
+    let spot = |spot: serde_json::Value| {
+        let edit = ("/extensions/KHR_lights_punctual/lights/1/spot", spot);
+        load_gltf(&viewed().edit(&[edit]))
+    };
+    let scene = spot(json!({"innerConeAngle": 0.25, "outerConeAngle": 0.5})).unwrap();
+    let cone = scene.point_lights[1].cone.unwrap();
+    assert!((cone.cos_inner - 0.25_f32.cos()).abs() < 1e-6);
+    assert!((cone.cos_outer - 0.5_f32.cos()).abs() < 1e-6);
+    refused(spot(json!({"innerConeAngle": 1, "outerConeAngle": 0.5})), "mesh.gltf", "cone of 1");
+    refused(spot(json!({"outerConeAngle": 4})), "mesh.gltf", "cone of 0 to 4");
+    refused(spot(json!({"outerConeAngle": 0})), "mesh.gltf", "cone of 0 to 0");
+    let dark = ("/extensions/KHR_lights_punctual/lights/2/intensity", json!(-1));
+    refused(load_gltf(&viewed().edit(&[dark])), "mesh.gltf", "its intensity is negative");
 }

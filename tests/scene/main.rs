@@ -5,8 +5,12 @@
 mod builtin;
 mod fuzz;
 mod gltf;
+mod light;
 mod mtl;
+mod mutate;
 mod obj;
+mod pictures;
+mod texture;
 mod toml;
 mod units;
 

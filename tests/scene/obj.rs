@@ -1,5 +1,6 @@
 //! Wavefront OBJ.
 
+use glam::Vec2;
 use gpu_vpl::scene::Scene;
 
 use super::{MESH, load, load_obj, refused, warned};
@@ -122,4 +123,52 @@ fn all_ends_of_line_and_a_byte_order_mark_are_read() {
     for text in [MESH.replace('\n', "\r\n"), MESH.replace('\n', "\r"), format!("\u{feff}{MESH}")] {
         assert_eq!(load_obj(&text).unwrap().emitters().count(), 1);
     }
+}
+
+/// A square with texture coordinates, a triangle of which emits so that no light lacks.
+const PLACED: &str = "mtllib mesh.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
+    vt 0 0\nvt 0.5 0 0.9\nvt 0.5 0.25\nvt 0 0.25\nusemtl wood\n";
+
+fn uvs(faces: &str, more: &str) -> Vec<[Vec2; 3]> {
+    let scene = load(&[
+        ("scene.toml", &format!("{}{POINT}[[mesh]]\nfile = \"mesh.obj\"\n{more}", super::CAMERA)),
+        ("mesh.obj", &format!("{PLACED}{faces}\n")),
+        ("mesh.mtl", "newmtl wood\nmap_Kd gone.png\n"),
+    ]);
+    scene.unwrap().uvs
+}
+
+const POINT: &str = "[[light]]\ntype = \"point\"\nposition = [0, 0, 1]\nintensity = [1, 1, 1]\n";
+
+#[test]
+fn texture_coordinates_follow_their_corners_from_the_top_left() {
+    let [a, b, c, d] = [(0.0, 1.0), (0.5, 1.0), (0.5, 0.75), (0.0, 0.75)].map(Vec2::from);
+    let square = [[a, b, c], [a, c, d]];
+    for faces in ["f 1/1 2/2 3/3 4/4", "f 1/-4 2/-3/7 3/3/-1 -1/-1", "o x\nf 1/1/ 2/2 3/3 4/4"] {
+        assert_eq!(uvs(faces, ""), square, "{faces}");
+    }
+    // Corners without are 0, and do not shift the others.
+    let faces = "f 1 2//1 3\nf 1/1 3/3 4\nusemtl wood\nf 1/4 2/3 4/2";
+    assert_eq!(uvs(faces, ""), [[Vec2::ZERO; 3], [a, c, Vec2::ZERO], [d, c, b]]);
+    // A mirror swaps corners and coordinates alike.
+    assert_eq!(uvs("f 1/1 2/2 3/3 4/4", "scale = [-1, 1, 1]\n"), [[a, c, b], [a, d, c]]);
+    assert_eq!(uvs("f 1/1 2/2 3/3 4/4", "scale = [-1, -1, 1]\n"), square);
+}
+
+#[test]
+fn texture_coordinates_that_are_not_there_are_refused() {
+    let face = |text: &str| load_obj(&format!("{PLACED}{text}\n"));
+    refused(face("f 1/1 2/5 3/1"), "mesh.obj:11", "texture coordinates 5, but there are 4");
+    refused(face("f 1/1 2/-5 3/1"), "mesh.obj:11", "texture coordinates -5");
+    refused(face("f 1/0 2/1 3/1"), "mesh.obj:11", "texture coordinates 0; the first is 1");
+    // They may come later.
+    assert!(face("f 1/1 2/5 3/1\nvt 1 1").is_ok());
+    let scene = face("vt -1.#IND nan\nvt x\nvt 1e99 0\nf 1/5 2/6 3/7").unwrap();
+    warned(&scene, "mesh.obj:11: 3 texture coordinates are no finite numbers", true);
+}
+
+#[test]
+fn without_a_texture_there_are_no_texture_coordinates() {
+    let scene = load_obj(&format!("{SQUARE}vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n")).unwrap();
+    assert!(scene.uvs.is_empty());
 }

@@ -1,6 +1,7 @@
 //! The scene file.
 
-use gpu_vpl::scene::FovAxis;
+use glam::Vec3;
+use gpu_vpl::scene::{Finish, FovAxis};
 
 use super::{CAMERA, load, load_more, load_toml, refused};
 
@@ -113,6 +114,68 @@ fn materials_that_cannot_be_are_refused_with_their_line() {
 }
 
 #[test]
+fn materials_of_all_types_are_read() {
+    let finish = |text: &str| {
+        let scene = load_more(&format!("material = \"a\"\n{POINT}[materials.a]\n{text}")).unwrap();
+        let material = &scene.materials[scene.triangles[0].material as usize];
+        (material.albedo.to_array(), material.finish)
+    };
+    let specular = Vec3::new(0.25, 0.5, 0.125);
+    let keys = "specular = [0.25, 0.5, 0.125]\n";
+    let phong = format!("type = \"phong\"\nalbedo = [0.5, 0.5, 0.5]\nshininess = 50\n{keys}");
+    assert_eq!(finish(&phong), ([0.5; 3], Finish::Phong { specular, shininess: 50.0 }));
+    let mirror = "type = \"mirror\"\n";
+    assert_eq!(finish(mirror), ([0.0; 3], Finish::Mirror { specular: Vec3::ONE }));
+    assert_eq!(finish(&format!("{mirror}{keys}")), ([0.0; 3], Finish::Mirror { specular }));
+    let glass = "type = \"glass\"\n";
+    assert_eq!(finish(glass), ([0.0; 3], Finish::Glass { specular: Vec3::ONE, ior: 1.5 }));
+    let dense = format!("{glass}ior = 2.5\n{keys}");
+    assert_eq!(finish(&dense), ([0.0; 3], Finish::Glass { specular, ior: 2.5 }));
+    let plain = "type = \"diffuse\"\nalbedo = [1, 1, 1]\n";
+    assert_eq!(finish(plain), ([1.0; 3], Finish::Diffuse));
+}
+
+#[test]
+fn keys_of_another_type_are_refused_with_their_line() {
+    let material = |kind: &str, key: &str| {
+        load_more(&format!("[materials.a]\ntype = \"{kind}\"\n{key} = 1\n"))
+    };
+    for (kind, keys) in [
+        ("diffuse", &["specular", "shininess", "ior"][..]),
+        ("phong", &["ior"]),
+        ("mirror", &["albedo", "texture", "shininess", "ior"]),
+        ("glass", &["albedo", "texture", "shininess"]),
+    ] {
+        for key in keys {
+            let text = format!("unknown key `{key}` in [materials.a] of type {kind:?}");
+            refused(material(kind, key), "scene.toml:9", &text);
+        }
+    }
+}
+
+#[test]
+fn finishes_that_cannot_be_are_refused_with_their_line() {
+    let material = |text: &str| load_more(&format!("[materials.a]\n{text}"));
+    let phong = "type = \"phong\"\nalbedo = [0.75, 0, 0]\n";
+    refused(material(&format!("{phong}shininess = 1\n")), "scene.toml:7", "`specular` is missing");
+    let specular = "specular = [0.25, 0, 0]\n";
+    refused(material(&format!("{phong}{specular}")), "scene.toml:7", "`shininess` is missing");
+    let shiny = |n: &str| material(&format!("{phong}{specular}shininess = {n}\n"));
+    refused(shiny("-1"), "scene.toml:11", "`shininess` must lie within 0 and 1000000");
+    refused(shiny("1e7"), "scene.toml:11", "`shininess` must lie within 0 and 1000000");
+    let bright = format!("{phong}shininess = 5\nspecular = [0.5, 0, 0]\n");
+    refused(material(&bright), "scene.toml:7", "material `a`: albedo and specular together");
+    let bare = "type = \"phong\"\nshininess = 5\nspecular = [0.5, 0, 0]\n";
+    refused(material(bare), "scene.toml:7", "`albedo` is missing");
+    let mirror = "type = \"mirror\"\nspecular = [1.5, 1, 1]\n";
+    refused(material(mirror), "scene.toml:9", "`specular` must lie within 0 and 1");
+    let glass = |ior: &str| material(&format!("type = \"glass\"\nior = {ior}\n"));
+    refused(glass("0"), "scene.toml:9", "`ior` must lie within 0.1 and 10");
+    refused(glass("11"), "scene.toml:9", "`ior` must lie within 0.1 and 10");
+    refused(material("texture = 3\n"), "scene.toml:8", "must be a string");
+}
+
+#[test]
 fn lights_that_cannot_be_are_refused_with_their_line() {
     let light = |text: &str| load_more(&format!("[[light]]\n{text}"));
     refused(light("position = [0, 0, 0]\n"), "scene.toml:7", "`type` is missing");
@@ -142,7 +205,7 @@ fn area_lights_have_their_area_and_face_their_front() {
     let area_of = |name: &str| {
         let is_of = |m: u32| scene.materials[m as usize].name == name;
         let triangles = scene.triangles.iter().filter(|triangle| is_of(triangle.material));
-        let normal: glam::Vec3 = triangles.map(|triangle| 0.5 * triangle.scaled_normal()).sum();
+        let normal: Vec3 = triangles.map(|triangle| 0.5 * triangle.scaled_normal()).sum();
         normal.as_dvec3() * scene.units.scale.powi(2)
     };
     let disk = std::f64::consts::PI * 0.25;

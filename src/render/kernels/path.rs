@@ -1,27 +1,28 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, camera_rays, follow, lights_of, sky, traverse, view};
+use super::{Prepared, camera_rays, follow, kept, lights_of, sky, surfaces, view};
 use crate::gpu::module::{
-    ALBEDO_PLAIN, BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT,
-    ENVIRONMENT_IMAGE, FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS, NO_ROULETTE, PATH,
-    PATH_BACKGROUND, PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT,
-    PATH_EMISSION, PATH_EXACT, PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND, PATH_NO_EMISSION,
-    PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG, RAY, ROULETTE, SAMPLING,
-    SCATTER_DIFFUSE, SCATTER_PHONG, THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
+    BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
+    FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS, NO_ROULETTE, PATH, PATH_BACKGROUND,
+    PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_EXACT,
+    PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND, PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED,
+    PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG,
+    THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, LightKind, Settings, Sky, Target};
 
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
-    let modules = camera_rays(target, &[view(target), &PATH_STATE, &PATH_CAMERA]);
-    Program { label: "paths, camera", modules }
+    let mut modules = camera_rays(target, &kept(target.features));
+    modules.extend([view(target), &PATH_STATE, &PATH_CAMERA]);
+    Program::new("paths, camera", modules)
 }
 
 fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &HEMISPHERE, &RAY, traverse(target)];
-    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, &ALBEDO_PLAIN];
-    [&first[..], &path, &scatter(target), last].concat()
+    let (first, rays) = ([&TYPES, &SAMPLING, &HEMISPHERE], surfaces::rays(target));
+    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, surfaces::albedo(target.features)];
+    [&first[..], &rays, &path, &scatter(target), last].concat()
 }
 
 /// How surfaces scatter light.
@@ -34,11 +35,12 @@ fn scatter(target: Target) -> Vec<&'static Module> {
 
 /// What paths see that is emitted towards the camera.
 pub fn emit(target: Target) -> Program {
-    let modules = match target.features.specular() {
-        true => vec![&TYPES, &PATH_STATE, &THROUGHPUT_PATH, &EMIT],
-        false => vec![&TYPES, &THROUGHPUT_NONE, &EMIT],
+    let throughput: &[&Module] = match target.features.specular() {
+        true => &[&PATH_STATE, &THROUGHPUT_PATH],
+        false => &[&THROUGHPUT_NONE],
     };
-    Program { label: "emission", modules }
+    let last = [surfaces::glow(target.features), &EMIT];
+    Program::new("emission", [&[&TYPES], throughput, &last].concat())
 }
 
 /// Shadow rays to the lights of a kind; none to a constant environment, which the next segment
@@ -59,16 +61,15 @@ pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
         LightKind::Area => "paths, area lights",
         LightKind::Environment => "paths, environment",
     };
-    Some(Program { label, modules: vertex(target, &last) })
+    Some(Program::new(label, vertex(target, &last)))
 }
 
 /// The next segment of paths, in a scene with or without area lights.
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = follow(target);
-    // A module stands once in a program.
-    last.retain(|module| !scatter(target).contains(module));
-    last.push(survival);
+    last.extend([survival, surfaces::glow(target.features)]);
+    last.extend(surfaces::keep(target.features));
     let sky = target.features.sky;
     if areas || sky.shines() {
         last.push(&PATH_FOUND);
@@ -85,22 +86,22 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
         }
     }
     last.push(&PATH_SEGMENT);
-    Program { label: "paths, segment", modules: vertex(target, &last) }
+    Program::new("paths, segment", vertex(target, &last))
 }
 
 /// How many paths go on.
 pub fn count() -> Program {
-    Program { label: "paths, count", modules: vec![&TYPES, &PATH, &PATH_COUNT] }
+    Program::new("paths, count", vec![&TYPES, &PATH, &PATH_COUNT])
 }
 
 /// The queue of those that do.
 pub fn compact() -> Program {
-    Program { label: "paths, queue", modules: vec![&TYPES, &PATH, &PATH_COMPACT] }
+    Program::new("paths, queue", vec![&TYPES, &PATH, &PATH_COMPACT])
 }
 
 /// Mean and spread of the samples of pixels.
 pub fn sum() -> Program {
-    Program { label: "paths, sum", modules: vec![&PATH, &PATH_SUM] }
+    Program::new("paths, sum", vec![&PATH, &PATH_SUM])
 }
 
 /// Whether paths have a vertex where they seek light straight from its source.
@@ -128,7 +129,7 @@ fn background(target: Target) -> Option<Program> {
         true => modules.extend([&PATH_STATE, &THROUGHPUT_PATH, &BACKGROUND]),
         false => modules.extend([&THROUGHPUT_NONE, &BACKGROUND]),
     }
-    Some(Program { label: "background", modules })
+    Some(Program::new("background", modules))
 }
 
 /// What a scene and settings need.

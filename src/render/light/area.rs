@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use glam::Vec3;
 
-use super::{Share, Start, Table, leave, mean};
+use super::{Lights, Share, Start, Table, leave, mean};
 use crate::gpu::AreaLightRecord;
 use crate::render::merge::VirtualLight;
+use crate::render::surface::light_glow;
 use crate::sampling::{Sequence, cosine_hemisphere, uniform_triangle};
 use crate::scene::Scene;
 
@@ -38,36 +39,45 @@ pub fn triangles(scene: &Scene) -> Table<AreaLightRecord> {
     })
 }
 
-fn place(light: &AreaLightRecord, u: [f32; 2]) -> Vec3 {
+/// A place on the triangle, and by what the radiance there is multiplied.
+fn place(scene: &Scene, light: &AreaLightRecord, triangle: u32, u: [f32; 2]) -> (Vec3, Vec3) {
     let [b, c] = uniform_triangle(u);
     let [corner, edge1, edge2] = [light.corner, light.edge1, light.edge2].map(Vec3::from_array);
-    corner + edge1 * b + edge2 * c
+    (corner + edge1 * b + edge2 * c, light_glow(scene, triangle, [1.0 - b - c, b, c]))
 }
 
 /// A place uniform on the triangle, a direction by the cosine; `side` is another random number.
-pub fn start(light: &AreaLightRecord, side: f32, [a, b, u, v]: [f32; 4]) -> Start {
+pub fn start(
+    scene: &Scene,
+    light: &AreaLightRecord,
+    triangle: u32,
+    side: f32,
+    [a, b, u, v]: [f32; 4],
+) -> Start {
     let two_sided = light.two_sided != 0;
     let normal = Vec3::from_array(light.normal);
     let normal = if two_sided && side < 0.5 { -normal } else { normal };
     let sides = if two_sided { 2.0 } else { 1.0 };
     let direction = cosine_hemisphere(normal, [u, v]);
+    let (position, glow) = place(scene, light, triangle, [a, b]);
     // L cos θ over the density of position and direction.
-    let flux = Vec3::from_array(light.radiance) * (PI as f32 * light.area * sides);
-    Start { ray: leave(place(light, [a, b]), normal, direction), flux }
+    let flux = Vec3::from_array(light.radiance) * glow * (PI as f32 * light.area * sides);
+    Start { ray: leave(position, normal, direction), flux }
 }
 
 /// `count` places, chosen by power and then uniform, as lights that together give the light of all.
-pub fn places(table: &Table<AreaLightRecord>, count: u32, seed: u32) -> Vec<VirtualLight> {
+pub fn places(scene: &Scene, all: &Lights, count: u32, seed: u32) -> Vec<VirtualLight> {
     let sequence = Sequence::new(seed);
     let mut lights = Vec::new();
     for index in 0..count {
         let draw = |dimension| sequence.sample(index, dimension);
-        let Some((light, probability, rest)) = table.at(f64::from(draw(0))) else { break };
-        let position = place(light, [rest, draw(1)]);
+        let Some((index, probability, rest)) = all.area.index_at(f64::from(draw(0))) else { break };
+        let light = &all.area.records[index];
+        let (position, glow) = place(scene, light, all.emitters[index], [rest, draw(1)]);
         let normal = Vec3::from_array(light.normal);
         // L cos θ over the density of light and position, of which there are `count`.
-        let intensity =
-            Vec3::from_array(light.radiance) * (light.area / (probability * count as f32));
+        let share = light.area / (probability * count as f32);
+        let intensity = Vec3::from_array(light.radiance) * glow * share;
         lights.push(VirtualLight::diffuse(position, normal, intensity));
         if light.two_sided != 0 {
             lights.push(VirtualLight::diffuse(position, -normal, intensity));

@@ -37,11 +37,17 @@ impl<R> Table<R> {
     /// The light whose interval of probability holds `u`, its probability, and where in the
     /// interval; none if no light has any power.
     pub fn at(&self, u: f64) -> Option<(&R, f32, f32)> {
+        let (at, probability, rest) = self.index_at(u)?;
+        Some((&self.records[at], probability, rest))
+    }
+
+    /// The index of that light, and the same.
+    pub fn index_at(&self, u: f64) -> Option<(usize, f32, f32)> {
         let next = self.shares.partition_point(|share| f64::from(share.before) <= u);
         let at = next.checked_sub(1)?;
         let Share { before, probability } = self.shares[at];
         let rest = (u - f64::from(before)) / f64::from(probability);
-        (self.power > 0.0).then(|| (&self.records[at], probability, unit(rest)))
+        (self.power > 0.0).then(|| (at, probability, unit(rest)))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::gpu::{CameraParams, GpuError, PathParams, PathRecord, PathSum, PointRecord, Program};
 use crate::render::kernels::path as programs;
-use crate::render::stages::{Named, Stage};
+use crate::render::stages::{Named, Stage, keep};
 use crate::render::{LightKind, Prepared, Settings};
 
 /// Paths of a run of the queue that counts its survivors.
@@ -63,10 +63,9 @@ impl Stages {
             places: words("places", runs)?,
             sums: gpu.storage::<PathSum>("sums", pixels)?,
         };
-        let named: &[Named<'_>] = &[
-            ("nodes", &prepared.nodes),
-            ("triangles", &prepared.triangles),
-            ("materials", &prepared.materials),
+        let kept = keep(gpu, prepared.features, paths)?;
+        let tables = prepared.tables.iter().chain(&kept).map(|(name, of)| (*name, of));
+        let own: [Named<'_>; 9] = [
             ("points", &points),
             ("radiance", &radiance),
             // What is emitted towards the camera is a path's first radiance.
@@ -78,10 +77,8 @@ impl Stages {
             ("places", &buffers.places),
             ("sums", &buffers.sums),
         ];
-        let mut named = named.to_vec();
-        named.extend(prepared.environment());
-        named.extend(prepared.finishes.as_ref().map(|buffer| ("finishes", buffer)));
-        let named = &named[..];
+        let named: &[Named<'_>] =
+            &own.into_iter().chain(tables).chain(prepared.environment()).collect::<Vec<_>>();
         let bind = |program: Program| Stage::new(prepared, &program, named);
         let target = prepared.target();
         let mut lights = Vec::new();

@@ -14,7 +14,7 @@ pub struct Map {
     /// The statement, as it is written.
     pub keyword: String,
     pub line: usize,
-    /// As it is written.
+    /// As it is written, and a comment.
     file: String,
     /// Coordinates from the bottom left, as the file has them, are multiplied by the one, and
     /// moved by the other.
@@ -33,7 +33,7 @@ enum Values {
     Word,
 }
 
-const OPTIONS: [(&str, Values); 13] = [
+const OPTIONS: [(&str, Values); 14] = [
     ("-o", Values::Numbers(1, 3)),
     ("-s", Values::Numbers(1, 3)),
     ("-t", Values::Numbers(1, 3)),
@@ -47,6 +47,7 @@ const OPTIONS: [(&str, Values); 13] = [
     ("-clamp", Values::Word),
     ("-imfchan", Values::Word),
     ("-type", Values::Word),
+    ("-colorspace", Values::Word),
 ];
 
 impl Map {
@@ -62,12 +63,12 @@ impl Map {
             ignored: Vec::new(),
         };
         let after = statement.content.trim_start().get(statement.keyword.len()..);
-        let mut rest = without_comment(after.unwrap_or_default()).trim();
+        let mut rest = after.unwrap_or_default().trim();
         while let Some((name, values, after)) = option(rest) {
             rest = map.take(statement, name, values, after)?;
         }
         map.file = rest.to_owned();
-        Ok((!rest.is_empty()).then_some(map))
+        Ok((!without_comment(rest).is_empty()).then_some(map))
     }
 
     /// Takes the values of an option, and gives what follows them. The last word is always
@@ -125,6 +126,7 @@ impl Map {
                 !(self.keyword.eq_ignore_ascii_case("map_d") && word.eq_ignore_ascii_case("m"))
             }
             "-boost" => number(0, 0.0) != 0.0,
+            "-colorspace" => !word.eq_ignore_ascii_case("srgb"),
             "-type" => true,
             _ => false,
         };
@@ -133,14 +135,14 @@ impl Map {
         }
     }
 
-    /// The image's file, from the library that names it: as it is written, or with `/` for `\`.
+    /// The image's file, from the library that names it: as it is written, without a comment,
+    /// with `/` for `\`.
     pub fn path(&self, library: &Path) -> PathBuf {
         let directory = library.parent().unwrap_or(Path::new(""));
-        let written = directory.join(&self.file);
-        match written.is_file() {
-            true => written,
-            false => directory.join(self.file.replace('\\', "/")),
-        }
+        let plain = without_comment(&self.file);
+        let written = [&self.file, plain].map(|name| directory.join(name));
+        let slashed = directory.join(plain.replace('\\', "/"));
+        written.into_iter().find(|path| path.is_file()).unwrap_or(slashed)
     }
 
     /// The texture of the image, whose coordinates are from the top left.
@@ -164,9 +166,9 @@ fn split_word(text: &str) -> Option<(&str, &str)> {
     Some((word, rest.trim_start()))
 }
 
-/// A comment begins with a word.
+/// A comment begins with a word; a name may hold what looks like one.
 fn without_comment(text: &str) -> &str {
-    let starts = text.match_indices('#').map(|(at, _)| at);
-    let mut words = starts.filter(|&at| text[..at].ends_with(char::is_whitespace));
-    words.next().map_or(text, |at| &text[..at])
+    let mut starts = text.match_indices('#').map(|(at, _)| &text[..at]);
+    let comment = starts.find(|before| before.is_empty() || before.ends_with(char::is_whitespace));
+    comment.unwrap_or(text).trim_end()
 }

@@ -48,11 +48,11 @@ impl MtlMaterial {
         }
         let specular = finish.is_specular();
         if specular && self.diffuse_map.is_some() {
-            faults.changes.push("has a map_Kd, which nothing mirrors by; left out".to_owned());
+            faults.changes.push("has a map_Kd, not shown by mirrors and glass".to_owned());
         }
         if !self.other_maps.is_empty() {
             let maps = self.other_maps.join(", ");
-            faults.changes.push(format!("has {maps}, which are not shown; left out"));
+            faults.changes.push(format!("has {maps}, not shown"));
         }
         draft.warnings.extend(self.warning(faults));
         let diffuse_map = self.diffuse_map.as_ref().filter(|_| !specular);

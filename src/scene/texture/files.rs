@@ -16,8 +16,15 @@ const MOST_BYTES: u64 = 1 << 30;
 /// The images of a draft that were read, by their file and what was taken of it.
 #[derive(Debug, Clone, Default)]
 pub struct ImageFiles {
-    known: HashMap<(PathBuf, Part), u32>,
+    known: HashMap<(PathBuf, Part), Known>,
     means: HashMap<PathBuf, Option<Means>>,
+}
+
+/// An image of a draft, and whether its file has an alpha channel.
+#[derive(Debug, Clone, Copy)]
+struct Known {
+    index: u32,
+    has_alpha: bool,
 }
 
 /// What is taken of an image file.
@@ -41,7 +48,7 @@ const HALF: u8 = 128;
 pub fn read_image(path: &Path) -> Result<Cow<'static, [u8]>, String> {
     // Anything but a file may have no end.
     if !path.is_file() {
-        return Err("is not there; put it there".to_owned());
+        return Err("is not there, or no file; put it there".to_owned());
     }
     let read = || {
         let mut bytes = Vec::new();
@@ -72,38 +79,44 @@ impl Draft {
         origin: &Origin,
         read: impl FnOnce() -> Result<Cow<'a, [u8]>, String>,
     ) -> u32 {
-        let key = |part| (path.to_owned(), part);
         let part = if part == Part::AlphaFrom(HALF) { Part::Color } else { part };
-        if let Some(&image) = self.image_files.known.get(&key(part)) {
-            return image;
+        let key = |part| (path.to_owned(), part);
+        if let Some(known) = self.image_files.known.get(&key(part)) {
+            return known.index;
         }
         let name = path.display().to_string();
-        let index = match read().and_then(|bytes| decode(&bytes, path)) {
-            Ok(decoded) => {
-                let shared = matches!(part, Part::Opacity) && decoded.has_alpha;
-                let part = if shared { Part::Color } else { part };
-                match self.image_files.known.get(&key(part)) {
-                    Some(&image) => image,
-                    None => {
-                        let image = self.add_image(part.of(decoded, name));
-                        self.image_files.known.insert(key(part), image);
-                        image
-                    }
-                }
+        let color = self.image_files.known.get(&key(Part::Color)).copied();
+        let decoded = match color {
+            Some(Known { index, has_alpha }) => {
+                let Texels { size, rgba, .. } = self.images[index as usize].clone();
+                Ok(Decoded { size, rgba, has_alpha })
             }
-            Err(what) => {
+            None => read().and_then(|bytes| decode(&bytes, path)),
+        };
+        let known = match (decoded, color) {
+            // Its own alpha is what it is.
+            (Ok(Decoded { has_alpha: true, .. }), Some(color)) if part == Part::Opacity => color,
+            (Ok(decoded), _) => {
+                let has_alpha = decoded.has_alpha;
+                let known = Known { index: self.add_image(part.of(decoded, name)), has_alpha };
+                if has_alpha && part == Part::Opacity {
+                    self.image_files.known.insert(key(Part::Color), known);
+                }
+                known
+            }
+            (Err(what), _) => {
                 let shown = match part {
                     Part::Color => "magenta is shown",
                     _ => "nothing is cut out",
                 };
                 self.warnings.push(origin.changed(format!("image {name} {what}; {shown}")));
-                let image = self.add_image(Texels::magenta(name));
-                self.image_files.known.insert(key(Part::Color), image);
-                image
+                let known = Known { index: self.add_image(Texels::magenta(name)), has_alpha: true };
+                self.image_files.known.insert(key(Part::Color), known);
+                known
             }
         };
-        self.image_files.known.insert(key(part), index);
-        index
+        self.image_files.known.insert(key(part), known);
+        known.index
     }
 
     /// The mean of such an image; none if it cannot be read, with a warning that ends as told.

@@ -7,6 +7,7 @@ use gpu_vpl::scene::Scene;
 use serde_json::{Value, json};
 
 use crate::load_bytes;
+use crate::pictures::{QUARTERS, png};
 
 /// A document to be changed.
 #[derive(Clone)]
@@ -28,10 +29,13 @@ impl Edit {
 }
 
 const CORNERS: [[i8; 3]; 4] = [[-1, -1, 0], [1, -1, 0], [-1, 1, 0], [1, 1, 0]];
+/// From the top left.
+const UVS: [[u8; 2]; 4] = [[0, 1], [1, 1], [0, 0], [1, 0]];
 const INDICES: [u8; 6] = [0, 1, 2, 2, 1, 3];
 
 /// Corners, indices in 16, 8 and 32 bits, corners in bytes, and what a sparse accessor
-/// replaces corner 3 by.
+/// replaces corner 3 by; texture coordinates as floats, in 8 and in 16 bits (a fifth as large),
+/// and [`QUARTERS`] as a PNG.
 pub fn buffer() -> Vec<u8> {
     let mut bytes: Vec<u8> =
         CORNERS.as_flattened().iter().flat_map(|&x| f32::from(x).to_le_bytes()).collect();
@@ -42,7 +46,42 @@ pub fn buffer() -> Vec<u8> {
     bytes.extend(CORNERS.iter().flat_map(|c| [c[0] * 127, c[1] * 127, 0, 0].map(|x| x as u8)));
     bytes.extend([3, 0, 0, 0]);
     bytes.extend([3.0_f32, 3.0, 0.0].iter().flat_map(|x| x.to_le_bytes()));
+    bytes.extend(UVS.as_flattened().iter().flat_map(|&x| f32::from(x).to_le_bytes()));
+    bytes.extend(UVS.as_flattened().iter().map(|x| 255 * x));
+    bytes.extend(UVS.as_flattened().iter().flat_map(|&x| (51 * u16::from(x)).to_le_bytes()));
+    bytes.extend(png(&QUARTERS));
     bytes
+}
+
+/// The document with a textured material `wood` that is no metal, an image in its buffer, and
+/// texture coordinates as floats.
+pub fn textured() -> Edit {
+    let accessor = |view: u32, kind: u32| {
+        json!({"bufferView": view, "componentType": kind, "count": 4, "type": "VEC2",
+            "normalized": kind != 5126})
+    };
+    let mut document = quad().edit(&[
+        (
+            "/materials",
+            json!([{"name": "wood", "pbrMetallicRoughness":
+                {"metallicFactor": 0, "baseColorTexture": {"index": 0}}}]),
+        ),
+        ("/textures", json!([{"source": 0}])),
+        ("/images", json!([{"bufferView": 10, "mimeType": "image/png"}])),
+        ("/meshes/0/primitives/0/material", json!(0)),
+        ("/meshes/0/primitives/0/attributes/TEXCOORD_0", json!(2)),
+    ]);
+    let of = |list: &str, item: Value, document: &mut Edit| {
+        document.0[list].as_array_mut().unwrap().push(item);
+    };
+    for (view, kind) in [(7, 5126), (8, 5121), (9, 5123)] {
+        of("accessors", accessor(view, kind), &mut document);
+    }
+    for (offset, length) in [(124, 32), (156, 8), (164, 16), (180, buffer().len() - 180)] {
+        let view = json!({"buffer": 0, "byteOffset": offset, "byteLength": length});
+        of("bufferViews", view, &mut document);
+    }
+    document
 }
 
 /// A square of ±1 that faces +Z, without material, camera or light.

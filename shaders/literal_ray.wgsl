@@ -1,0 +1,63 @@
+// Closest and any hit of a ray by itself in a small scene: `meet_scene`, which src/render/literals.rs
+// writes for the scene, puts the ray to every triangle. Lines are given by their direction and
+// their moment (Pluecker coordinates), so that an edge costs two dot products and its two
+// triangles share what comes of it: volumes that are exactly opposite.
+
+struct Ray {
+    origin: vec3f,
+    direction: vec3f,
+    moment: vec3f,
+}
+
+// The nearest triangle so far, and the volumes that the ray spans with its edges.
+struct Met {
+    t: f32,
+    triangle: u32,
+    volumes: vec3f,
+}
+
+fn none(limit: f32) -> Met {
+    return Met(limit, NOTHING, vec3f(0.0));
+}
+
+// The volume that a ray spans with a line.
+fn edge(ray: Ray, direction: vec3f, moment: vec3f) -> f32 {
+    return dot(ray.direction, moment) + dot(direction, ray.moment);
+}
+
+// Where a ray meets a plane; below 0 if it is parallel to it.
+fn plane(ray: Ray, normal: vec3f, height: f32) -> f32 {
+    let speed = dot(normal, ray.direction);
+    return select(-1.0, (height - dot(normal, ray.origin)) / speed, speed != 0.0);
+}
+
+// Triangles come by index, so that of those at the same t the lowest stays.
+fn nearer(met: Met, t: f32, u: f32, v: f32, w: f32, triangle: u32) -> Met {
+    let one_side = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
+    let is = one_side && u + v + w != 0.0 && t > 0.0 && t < met.t;
+    return Met(
+        select(met.t, t, is),
+        select(met.triangle, triangle, is),
+        select(met.volumes, vec3f(u, v, w), is),
+    );
+}
+
+// Whether some ray that is traced together with this one wants it.
+fn some_ray(is: bool) -> bool {
+    return is;
+}
+
+// The nearest hit at 0 < t < limit; a caller that wants any has no use for its weights, which
+// are then not computed. The limit 0 means no ray.
+fn traverse(
+    origin: vec3f,
+    direction: vec3f,
+    limit: f32,
+    node_count: u32,
+    any: bool,
+    invocation: u32,
+) -> Hit {
+    let met = meet_scene(Ray(origin, direction, cross(origin, direction)), limit);
+    let sum = met.volumes.x + met.volumes.y + met.volumes.z;
+    return Hit(met.t, met.triangle, met.volumes / select(sum, 1.0, met.triangle == NOTHING));
+}

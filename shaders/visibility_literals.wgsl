@@ -1,0 +1,86 @@
+// Shadow rays in a small scene: 4 neighbouring points an invocation, all seen from one VPL.
+// `meet_scene`, which src/render/literals.rs writes for the scene, puts them to every triangle. The
+// common origin makes most of the test the same for all.
+
+struct Ray {
+    origin: vec3f,
+    // The four segments.
+    ways: mat3x4f,
+}
+
+alias Met = vec4<bool>;
+
+fn none(limit: f32) -> Met {
+    return vec4<bool>(false);
+}
+
+// The volumes that the segments span with a line of this direction and moment.
+fn edge(ray: Ray, direction: vec3f, moment: vec3f) -> vec4f {
+    return ray.ways * (moment + cross(direction, ray.origin));
+}
+
+// Which segments go through a plane.
+fn plane(ray: Ray, normal: vec3f, height: f32) -> vec4<bool> {
+    let rest = height - dot(normal, ray.origin);
+    let speed = ray.ways * normal;
+    // 0 < rest / speed < 1
+    return (rest * speed > vec4f(0.0)) & (vec4f(abs(rest)) < abs(speed));
+}
+
+fn nearer(met: Met, between: vec4<bool>, u: vec4f, v: vec4f, w: vec4f, triangle: u32) -> Met {
+    let zero = vec4f(0.0);
+    let one_side = (min(u, min(v, w)) >= zero) | (max(u, max(v, w)) <= zero);
+    return met | (between & one_side);
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    let row = 4u * id.x;
+    if row >= params.rows { return; }
+    let word = params.first_word + id.y;
+    let last = params.rows - 1u;
+    let p0 = points[params.first_point + row];
+    let p1 = points[params.first_point + min(row + 1u, last)];
+    let p2 = points[params.first_point + min(row + 2u, last)];
+    let p3 = points[params.first_point + min(row + 3u, last)];
+    let surfaces = vec4u(p0.surface, p1.surface, p2.surface, p3.surface);
+    let are = (surfaces != vec4u(NOTHING)) & (vec4u(row) + vec4u(0u, 1u, 2u, 3u) <= vec4u(last));
+    let positions = transpose(mat4x3f(p0.position, p1.position, p2.position, p3.position));
+    let normals = transpose(mat4x3f(p0.normal, p1.normal, p2.normal, p3.normal));
+
+    var seen = vec4u(0u);
+    var rays = vec4u(0u);
+    let count = min(32u, params.vpls - 32u * word);
+    let stop = min(count, params.first + params.count);
+    var i = params.first;
+    for (; i < stop; i++) {
+        let vpl = vpls[32u * word + i];
+        // Pairs with a cosine <= 0 trace no ray.
+        let between = positions - origins(vpl.position);
+        let towards = between[0] * normals[0] + between[1] * normals[1] + between[2] * normals[2];
+        let faced = vec4f(
+            facing(p0.position - vpl.position, vpl.normal),
+            facing(p1.position - vpl.position, vpl.normal),
+            facing(p2.position - vpl.position, vpl.normal),
+            facing(p3.position - vpl.position, vpl.normal),
+        );
+        let open = are & (towards < vec4f(0.0)) & (faced > vec4f(0.0));
+        rays += vec4u(open);
+        let origin = vpl.position + params.offset * vpl.normal;
+        let ways = positions + params.offset * normals - origins(origin);
+        let free = open & !meet_scene(Ray(origin, ways), 1.0);
+        seen |= vec4u(free) << vec4u(i);
+    }
+
+    let at = (word - params.matrix_word) * params.rows + row;
+    bits[at] = earlier(at) | seen.x;
+    if row + 1u < params.rows { bits[at + 1u] = earlier(at + 1u) | seen.y; }
+    if row + 2u < params.rows { bits[at + 2u] = earlier(at + 2u) | seen.z; }
+    if row + 3u < params.rows { bits[at + 3u] = earlier(at + 3u) | seen.w; }
+    count_rays(rays.x + rays.y + rays.z + rays.w, i >= stop);
+}
+
+// An origin for each of four points.
+fn origins(origin: vec3f) -> mat3x4f {
+    return mat3x4f(vec4f(origin.x), vec4f(origin.y), vec4f(origin.z));
+}
