@@ -62,7 +62,7 @@ fn main(
             best = select(best, index, distance < least);
             least = min(least, distance);
         }
-        sum += radiance[best].rgb * throughput_of(sight);
+        sum += seen_by_ray(seen, radiance[best].rgb) * throughput_of(sight);
     }
     let share = f32(params.rays) / f32(params.edge_rays);
     let result = select(radiance[own].rgb * own_throughput.rgb * share, sum / f32(params.edge_rays), edge);

@@ -15,19 +15,8 @@ struct AreaLight {
 
 @group(0) @binding(9) var<storage, read> lights: array<AreaLight>;
 
-struct LightSample {
-    // Where a shadow ray ends: as far before the light as it starts before the point.
-    end: vec3f,
-    // Whether light and point face each other.
-    faces: bool,
-    radiance: vec3f,
-    // The geometry term between place and point, 1 / length^2.
-    geometry: f32,
-    // Of the place, by area.
-    density: f32,
-}
-
-fn sample_area_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> LightSample {
+// A place on the lights.
+fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> LightSample {
     var u = at;
     let index = choose_light(u.x, light_count);
     let light = lights[index];
@@ -42,8 +31,11 @@ fn sample_area_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> 
     let facing = -dot(to_light, light.normal);
     let emitted = select(facing, abs(facing), light.two_sided != 0u);
     let geometry = cosine * emitted / (square * square);
+    // As far before the light as it starts before the point.
+    let end = on_light + light.normal * (sign(facing) * offset);
     return LightSample(
-        on_light + light.normal * (sign(facing) * offset),
+        end - light_origin(point, offset),
+        1.0,
         cosine > 0.0 && emitted > 0.0,
         light.radiance * light_glow(index, weights),
         geometry,

@@ -18,6 +18,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let index = point_of(pixel, params.width);
     let point = points[index];
     // Three bytes of normal, 0 where nothing is hit, and one of signature.
-    let packed = pack4x8snorm(vec4f(point.normal, 0.0)) | (signature_of(index) << 24u);
+    let normal = select(point.normal, vec3f(0.0), point.surface == NOTHING);
+    let packed = pack4x8snorm(vec4f(normal, 0.0)) | (signature_of(index) << 24u);
     surfaces[id.x] = vec4u(bitcast<vec3u>(point.position), packed);
 }

@@ -9,6 +9,6 @@ struct Drawn {
 fn draw_light(point: Point, ray: u32, stream: u32) -> Drawn {
     // The stratum of the ray among the point's, and in it that of the sample of the pixel.
     let u = stratified(ray * params.samples + params.sample, params.weight, stream);
-    let light = sample_area_light(point, u, params.lights, params.offset);
+    let light = sample_light(point, u, params.lights, params.offset);
     return Drawn(light, 1.0 / light.density);
 }

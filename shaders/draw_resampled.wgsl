@@ -21,7 +21,7 @@ fn draw_light(point: Point, ray: u32, stream: u32) -> Drawn {
         // Strata of all candidates of all rays; those of a ray are spread over the lights.
         let index = (i * rays + ray) * params.samples + params.sample;
         let at = stratified(index, params.weight / f32(CANDIDATES), stream);
-        let light = sample_area_light(point, at, params.lights, params.offset);
+        let light = sample_light(point, at, params.lights, params.offset);
         let mean = (light.radiance.x + light.radiance.y + light.radiance.z) / 3.0;
         let gives = select(0.0, mean * light.geometry, light.faces);
         sum += gives / light.density;

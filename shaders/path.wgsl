@@ -15,6 +15,11 @@ struct PathParams {
     // Density of the places drawn on an area light over its mean radiance and its sides; 0 if
     // emission that the next segment finds does not count.
     light_density: f32,
+    // 1 if the environment that the next segment escapes to counts, else 0.
+    background: f32,
+    pad0: u32,
+    pad1: u32,
+    pad2: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: PathParams;

@@ -1,7 +1,5 @@
 // Emission that the next segment of a path happens upon.
 
-@group(0) @binding(20) var<storage, read_write> radiance: array<vec4f>;
-
 // In a direction that was drawn with this density by solid angle.
 fn find_emission(slot: u32, carried: vec3f, hit: Point, direction: vec3f, density: f32) {
     let material = materials[hit.surface & ~FRONT];
@@ -12,6 +10,6 @@ fn find_emission(slot: u32, carried: vec3f, hit: Point, direction: vec3f, densit
     let met = density * -dot(hit.normal, direction) / (hit.depth * hit.depth);
     if emits && drawn > 0.0 && met > 0.0 {
         let emission = material.emission * glow_of(slot);
-        radiance[slot] += vec4f(carried * emission * mis_weight(met, drawn), 0.0);
+        found(slot, carried * emission * mis_weight(met, drawn));
     }
 }

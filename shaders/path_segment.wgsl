@@ -34,15 +34,18 @@ fn main(
     );
     let hit = sight.hit;
     if id.x < params.paths { survivors[id.x] = select(slot, NOTHING, hit.triangle == NOTHING); }
+    let carried = throughput / probability * throughput_of(sight);
+    // No shadow ray would have gone this way if it was turned.
+    let drawn = scattered.density * dot(point.normal, direction);
+    let density = select(drawn, CERTAIN, is_turned(sight));
     if hit.triangle != NOTHING {
         let next = hit_point(hit, sight.direction);
-        let carried = throughput / probability * throughput_of(sight);
         points[slot] = with_view(next, sight.direction);
         keep_albedo(slot, hit, next);
         keep_glow(slot, hit, next);
         paths[slot] = Path(carried, path.stream);
-        // No shadow ray would have gone this way if it was turned.
-        let density = scattered.density * dot(point.normal, direction);
-        find_emission(slot, carried, next, sight.direction, select(density, CERTAIN, is_turned(sight)));
+        find_emission(slot, carried, next, sight.direction, density);
+    } else if limit > 0.0 {
+        find_background(slot, carried, sight.direction, density);
     }
 }

@@ -1,4 +1,4 @@
-// Lights without extent.
+// Lights without extent that shine alike in all directions.
 
 struct PointLight {
     position: vec3f,
@@ -10,3 +10,7 @@ struct PointLight {
 }
 
 @group(0) @binding(9) var<storage, read> lights: array<PointLight>;
+
+fn intensity_towards(light: PointLight, direction: vec3f) -> vec3f {
+    return light.intensity;
+}

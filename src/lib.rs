@@ -17,7 +17,8 @@
 //!    ([`gpu::Gpu`]), kernels and the buffers of the scene. [`render::frame`] does the rest:
 //! 4. **VPLs**: the host traces light paths; each hit deposits a virtual point light.
 //! 5. **Visible points**: camera rays, for each sample of every pixel of a tile.
-//! 6. **Direct light**: shadow rays to point lights and to samples of area lights.
+//! 6. **Direct light**: shadow rays to point, spot and directional lights, to samples of area
+//!    lights and of the environment.
 //! 7. **Clusters**, in the methods that use them: [`cluster`] finds visible points, and VPLs,
 //!    that may share visibility. Probes (a few shadow rays from every point) tell where a point
 //!    sees otherwise than its cluster; such points are clustered anew.

@@ -29,9 +29,9 @@ use serde::{Deserialize, Serialize};
 use crate::bvh::Bvh;
 use crate::gpu::{Gpu, GpuError, PassTime, Program};
 use crate::image::Image;
-use crate::scene::{Camera, Scene};
+use crate::scene::{Camera, Environment, Scene};
 
-pub use features::{Features, Target};
+pub use features::{Features, Sky, Target};
 pub use kernels::{Kernels, all_programs};
 pub use light::{LightKind, Lights};
 pub use settings::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
@@ -42,6 +42,7 @@ use light_set::LightSet;
 use literals::Literals;
 pub use merge::{Gloss, VirtualLight, VplClusters};
 use path::PathTracer;
+use stages::Named;
 use tile::TileRenderer;
 
 /// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels
@@ -66,6 +67,7 @@ pub struct Prepared {
     kernels: Kernels,
     tables: Vec<tables::Table>,
     light_tables: Vec<(LightKind, wgpu::Buffer)>,
+    environment_texels: Option<wgpu::Buffer>,
 }
 
 impl Prepared {
@@ -89,6 +91,12 @@ impl Prepared {
                 .kinds()
                 .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
                 .collect::<Result<_, GpuError>>()?,
+            environment_texels: match &scene.environment {
+                Some(Environment { image: Some(image), .. }) if features.sky.shines() => {
+                    Some(gpu.storage_of("environment image", &image.texels)?)
+                }
+                _ => None,
+            },
             literals: Literals::of(&scene, &bvh),
             features,
             kernels: Kernels::default(),
@@ -121,6 +129,14 @@ impl Prepared {
             Some(literals) => literals.complete(program),
             None => program,
         }
+    }
+
+    /// The buffers of the environment, by name.
+    fn environment(&self) -> impl Iterator<Item = Named<'_>> {
+        let is = |(kind, _): &&(LightKind, wgpu::Buffer)| *kind == LightKind::Environment;
+        let table = self.light_tables.iter().find(is).map(|(_, table)| ("environment", table));
+        let texels = self.environment_texels.iter().map(|buffer| ("environment_texels", buffer));
+        table.into_iter().chain(texels)
     }
 
     /// What programs are linked for in a frame: one without light shows the first surfaces, and

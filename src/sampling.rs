@@ -56,10 +56,25 @@ pub fn uniform_sphere(u: [f32; 2]) -> Vec3 {
 
 /// A direction about `normal` (of unit length); pdf cos θ / π.
 pub fn cosine_hemisphere(normal: Vec3, u: [f32; 2]) -> Vec3 {
-    let r = u[0].sqrt();
+    (uniform_disk(normal, u) + normal * (1.0 - u[0]).max(0.0).sqrt()).normalize()
+}
+
+/// A place on the disc of radius 1 about the origin, across `normal` (of unit length); pdf 1 / π.
+pub fn uniform_disk(normal: Vec3, u: [f32; 2]) -> Vec3 {
     let (sin, cos) = turn(u[1]);
+    let r = u[0].sqrt();
     let [x, y] = frame(normal);
-    (x * (r * cos) + y * (r * sin) + normal * (1.0 - u[0]).max(0.0).sqrt()).normalize()
+    x * (r * cos) + y * (r * sin)
+}
+
+/// A direction within a cone about `axis` (of unit length), 1 minus the cosine of whose angle is
+/// `width`; pdf 1 / (2π width).
+pub fn uniform_cone(axis: Vec3, width: f32, u: [f32; 2]) -> Vec3 {
+    let fall = u[0] * width;
+    let r = (fall * (2.0 - fall)).max(0.0).sqrt();
+    let (sin, cos) = turn(u[1]);
+    let [x, y] = frame(axis);
+    (x * (r * cos) + y * (r * sin) + axis * (1.0 - fall)).normalize()
 }
 
 /// The unit vector at an angle of this cosine to a unit `axis`, turned about it by the fraction
@@ -116,16 +131,24 @@ mod tests {
         let sequence = Sequence::new(1);
         let normal = Vec3::new(0.36, -0.48, -0.8);
         let n = 4096u16;
-        let (mut sphere, mut cosine) = (Vec3::ZERO, 0.0);
+        let (mut sphere, mut cosine, mut cone, mut disk) = (Vec3::ZERO, 0.0, 0.0, 0.0);
         for i in 0..u32::from(n) {
             let u = [sequence.sample(i, 0), sequence.sample(i, 1)];
             sphere += uniform_sphere(u) / f32::from(n);
             let w = cosine_hemisphere(normal, u);
             assert!((w.length() - 1.0).abs() < 1e-5 && w.dot(normal) > -1e-6);
             cosine += w.dot(normal) / f32::from(n);
+            let w = uniform_cone(normal, 0.3, u);
+            assert!((w.length() - 1.0).abs() < 1e-5 && w.dot(normal) > 0.7 - 1e-6);
+            cone += w.dot(normal) / f32::from(n);
+            let p = uniform_disk(normal, u);
+            assert!(p.length() <= 1.0 + 1e-5 && p.dot(normal).abs() < 1e-6);
+            disk += p.length() / f32::from(n);
         }
         assert!(sphere.length() < 1e-3, "mean direction {sphere}");
         assert!((cosine - 2.0 / 3.0).abs() < 1e-3, "mean cosine {cosine}");
+        assert!((cone - 0.85).abs() < 1e-3, "mean cosine in a cone {cone}");
+        assert!((disk - 2.0 / 3.0).abs() < 1e-3, "mean radius in a disk {disk}");
     }
 
     #[test]

@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 use std::mem::offset_of;
 
 use gpu_vpl::gpu::{
-    AreaLightRecord, CameraParams, DirectParams, ExpandParams, FinishRecord, GlossyVplRecord,
-    InterleaveParams, MaterialRecord, NodeRecord, PathParams, PathRecord, PathSum,
-    PointLightRecord, PointRecord, ShadeParams, TextureRecord, TriangleRecord, VisibilityParams,
-    VplRecord,
+    AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
+    FinishRecord, GlossyVplRecord, InterleaveParams, MaterialRecord, NodeRecord, PathParams,
+    PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SpotLightRecord,
+    TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};
@@ -91,6 +91,12 @@ fn records() -> Vec<Record> {
             pad,
         }),
         record!(PointLightRecord as "PointLight" { position, before, intensity, probability }),
+        record!(SpotLightRecord as "SpotLight" {
+            position, before, intensity, probability, axis, cos_outer, slope, pad,
+        }),
+        record!(DirectionalLightRecord as "DirectionalLight" {
+            toward, before, irradiance, probability,
+        }),
         record!(AreaLightRecord as "AreaLight" {
             corner, before, edge1, probability, edge2, two_sided, normal, area, radiance, pad,
         }),
@@ -113,6 +119,7 @@ fn records() -> Vec<Record> {
         record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),
         record!(PathParams as "PathParams" {
             paths, bounce, first_sample, samples, lights, nodes, offset, light_density,
+            background, pad,
         }),
         record!(InterleaveParams as "InterleaveParams" {
             width, height, s, rotation, subset_width, subset_points, points, pass_number,
@@ -172,7 +179,7 @@ fn all_modules() -> Vec<naga::Module> {
 #[test]
 fn host_records_are_laid_out_as_naga_does() {
     let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
-    assert_eq!(compared.len(), 19, "{compared:?}");
+    assert_eq!(compared.len(), 21, "{compared:?}");
 }
 
 #[test]

@@ -174,6 +174,42 @@ pub struct PointLightRecord {
     pub probability: f32,
 }
 
+/// A point light that shines into a cone, 64 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct SpotLightRecord {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// The probability of all spot lights before this one.
+    pub before: f32,
+    /// Radiant intensity where it shines in full.
+    pub intensity: [f32; 3],
+    /// The probability of this light among the spot lights.
+    pub probability: f32,
+    /// Unit vector along the cone's axis.
+    pub axis: [f32; 3],
+    /// Cosine of the angle beyond which it does not shine.
+    pub cos_outer: f32,
+    /// How fast the ramp rises with the cosine from there.
+    pub slope: f32,
+    /// Unused.
+    pub pad: [u32; 3],
+}
+
+/// A light infinitely far away, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct DirectionalLightRecord {
+    /// Unit vector to where the light comes from.
+    pub toward: [f32; 3],
+    /// The probability of all directional lights before this one.
+    pub before: f32,
+    /// Irradiance of a surface across it.
+    pub irradiance: [f32; 3],
+    /// The probability of this light among the directional lights.
+    pub probability: f32,
+}
+
 /// An emitting triangle, 80 bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
@@ -395,4 +431,8 @@ pub struct PathParams {
     /// Density of the places drawn on an area light over its mean radiance and its sides; 0 if
     /// emission that the next segment finds does not count.
     pub light_density: f32,
+    /// 1 if the environment that the next segment escapes to counts, else 0.
+    pub background: f32,
+    /// Unused.
+    pub pad: [u32; 3],
 }

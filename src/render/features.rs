@@ -19,6 +19,8 @@ pub struct Features {
     pub mirror: bool,
     /// Smooth dielectrics.
     pub glass: bool,
+    /// An environment that is not black.
+    pub sky: Sky,
 }
 
 impl Features {
@@ -34,6 +36,7 @@ impl Features {
             phong: any(&|finish| matches!(finish, Finish::Phong { .. })),
             mirror: any(&|finish| matches!(finish, Finish::Mirror { .. })),
             glass: any(&|finish| matches!(finish, Finish::Glass { .. })),
+            sky: Sky::of(scene),
         }
     }
 
@@ -62,7 +65,37 @@ impl Features {
             phong: true,
             mirror: true,
             glass: true,
+            sky: Sky::Image,
         }
+    }
+}
+
+/// What is seen where there is no surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sky {
+    /// Nothing.
+    #[default]
+    None,
+    /// The same radiance everywhere.
+    Constant,
+    /// Radiance by an image.
+    Image,
+}
+
+impl Sky {
+    fn of(scene: &Scene) -> Self {
+        match &scene.environment {
+            Some(environment) if environment.shines() => match environment.image {
+                Some(_) => Self::Image,
+                None => Self::Constant,
+            },
+            _ => Self::None,
+        }
+    }
+
+    /// Whether anything is.
+    pub fn shines(self) -> bool {
+        self != Self::None
     }
 }
 
@@ -107,6 +140,8 @@ impl Target {
             Features { phong: true, ..none },
             Features { mirror: true, ..none },
             Features { glass: true, ..none },
+            Features { sky: Sky::Constant, ..none },
+            Features { sky: Sky::Image, ..none },
             Features::everything(),
         ];
         let small = |features: Features| {

@@ -7,18 +7,21 @@ mod tracing;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::literals::Literals;
-use super::{Clamp, Direct, Features, LightKind, Method, Prepared, Settings, Target};
+use super::{Clamp, Direct, Features, LightKind, Method, Prepared, Settings, Sky, Target};
 use crate::gpu::module::{
-    ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, CORNERS, DIRECT,
-    DIRECT_AREA, DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE,
-    EXPAND, FINISH, FOLLOW_NONE, FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS,
-    HIT_POINT, INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LITERAL_RAY, LOBES_DIFFUSE,
-    LOBES_PHONG, MIRROR, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED,
-    PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER, ROW_POINT, SAMPLING,
-    SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SHAPE_TRIANGLE,
-    SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED, THROUGHPUT_KEPT,
-    THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES,
-    VIEW_KEPT, VIEW_NONE, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
+    ANTIALIAS, AREA_LIGHT, BACKGROUND, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, CORNERS,
+    DIRECT, DIRECT_EXACT, DIRECT_SAMPLED, DIRECTIONAL_LIGHT, DRAW_ONE, DRAW_RESAMPLED, EMIT,
+    EMITTER_POINT, EMITTER_SURFACE, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
+    ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, EXPAND, FINISH, FOLLOW_NONE,
+    FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS, HEMISPHERE, HIT_POINT,
+    INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LIGHT_SAMPLE, LITERAL_RAY, LOBES_DIFFUSE,
+    LOBES_PHONG, LOCAL_LIGHT, MIRROR, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
+    PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER,
+    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY,
+    SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED,
+    SPOT_LIGHT, THROUGHPUT_KEPT, THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER,
+    TURN_GLASS, TURN_MIRROR, TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_KEPT, VIEW_NONE, VISIBLE,
+    VPL_DIFFUSE, VPL_GLOSSY,
 };
 use crate::gpu::{CATALOGUE, GpuError, Kernel, Module, Program, TriangleRecord};
 pub use tracing::Tracing;
@@ -49,7 +52,12 @@ fn kept(features: Features) -> Vec<&'static Module> {
 
 /// More camera rays where pixels see edges.
 pub fn antialias(target: Target) -> Program {
-    let modules = camera_rays(target, &[throughput(target), &ONE_SURFACE, &ANTIALIAS]);
+    let unseen = match sky(target) {
+        Some(sky) => [&sky[..], &[&UNSEEN_BACKGROUND]].concat(),
+        None => vec![&UNSEEN_NONE],
+    };
+    let last = [&unseen[..], &[throughput(target), &ONE_SURFACE, &ANTIALIAS]].concat();
+    let modules = camera_rays(target, &last);
     Program::new("antialiasing", modules)
 }
 
@@ -98,24 +106,49 @@ fn throughput(target: Target) -> &'static Module {
     if target.features.specular() { &THROUGHPUT_KEPT } else { &THROUGHPUT_NONE }
 }
 
-/// Direct light from the lights of a kind. From many area lights, those that give much are sought
-/// out.
+/// What a kernel needs to draw from the lights of a kind.
+fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
+    match kind {
+        LightKind::Point => vec![&LIGHT_SAMPLE, &POINT_LIGHT, &LOCAL_LIGHT],
+        LightKind::Spot => vec![&LIGHT_SAMPLE, &SPOT_LIGHT, &LOCAL_LIGHT],
+        LightKind::Directional => vec![&LIGHT_SAMPLE, &DIRECTIONAL_LIGHT],
+        LightKind::Area => {
+            let mut modules = surfaces::light_glow(target.features);
+            modules.extend([&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT]);
+            modules
+        }
+        LightKind::Environment => match target.features.sky {
+            Sky::Image => vec![
+                &LIGHT_SAMPLE,
+                &ENVIRONMENT_IMAGE,
+                &ENVIRONMENT_CELLS,
+                &ENVIRONMENT_LIGHT_IMAGE,
+            ],
+            _ => {
+                vec![&LIGHT_SAMPLE, &HEMISPHERE, &ENVIRONMENT_CONSTANT, &ENVIRONMENT_LIGHT_CONSTANT]
+            }
+        },
+    }
+}
+
+/// Direct light from the lights of a kind. From many lights of some extent, those that give much
+/// are sought out.
 pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING];
     modules.extend(lobes(target));
     modules.extend(surfaces::rays(target));
     modules.push(&DIRECT);
+    modules.extend(lights_of(target, kind));
+    match kind.is_exact() {
+        true => modules.push(&DIRECT_EXACT),
+        false => modules.extend([if many { &DRAW_RESAMPLED } else { &DRAW_ONE }, &DIRECT_SAMPLED]),
+    }
     let label = match kind {
-        LightKind::Point => {
-            modules.extend([&POINT_LIGHT, &DIRECT_POINT]);
-            "direct light, points"
-        }
-        LightKind::Area => {
-            let draw = if many { &DRAW_RESAMPLED } else { &DRAW_ONE };
-            modules.extend(surfaces::light_glow(target.features));
-            modules.extend([&CHOOSE_LIGHT, &AREA_LIGHT, draw, &DIRECT_AREA]);
-            "direct light, areas"
-        }
+        LightKind::Point => "direct light, points",
+        LightKind::Spot => "direct light, spots",
+        LightKind::Directional => "direct light, directional",
+        LightKind::Area => "direct light, areas",
+        LightKind::Environment => "direct light, environment",
     };
     Program::new(label, modules)
 }
@@ -149,11 +182,12 @@ pub enum Emitter {
 }
 
 impl Emitter {
-    /// What the lights of a kind are gathered as.
-    pub fn of(kind: LightKind) -> Self {
+    /// What the lights of a kind are gathered as, if they can be.
+    pub fn of(kind: LightKind) -> Option<Self> {
         match kind {
-            LightKind::Point => Self::Point,
-            LightKind::Area => Self::Surface,
+            LightKind::Point => Some(Self::Point),
+            LightKind::Area => Some(Self::Surface),
+            LightKind::Spot | LightKind::Directional | LightKind::Environment => None,
         }
     }
 
@@ -245,6 +279,32 @@ pub fn emit(target: Target) -> Program {
     Program::new("emission", modules)
 }
 
+/// Radiance of the environment towards the camera.
+pub fn background(target: Target) -> Option<Program> {
+    let sky = sky(target)?;
+    let modules = [&[&TYPES][..], &sky, &[&THROUGHPUT_NONE, &BACKGROUND]].concat();
+    Some(Program::new("background", modules))
+}
+
+/// What the camera sees emitted in a scene.
+pub fn emitted(prepared: &Prepared) -> Vec<Program> {
+    let areas = prepared.lights.count(LightKind::Area) > 0;
+    areas
+        .then(|| emit(prepared.target()))
+        .into_iter()
+        .chain(background(prepared.target()))
+        .collect()
+}
+
+/// The radiance of the environment, if there is one.
+fn sky(target: Target) -> Option<Vec<&'static Module>> {
+    match target.features.sky {
+        Sky::None => None,
+        Sky::Constant => Some(vec![&ENVIRONMENT_CONSTANT]),
+        Sky::Image => Some(vec![&ENVIRONMENT_IMAGE]),
+    }
+}
+
 /// What visible points have gathered to reflected radiance.
 pub fn reflect(target: Target) -> Program {
     let albedo = surfaces::albedo(target.features);
@@ -293,23 +353,19 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         true => programs.push(antialias(target)),
         false => programs.extend(target.features.specular().then(|| resolve(target))),
     }
-    if prepared.lights.count(LightKind::Area) > 0 {
-        programs.push(emit(target));
-    }
+    programs.extend(emitted(prepared));
     let kinds = || prepared.lights.kinds();
-    match settings.direct {
-        Direct::PerPixel => {
-            programs.extend(kinds().map(|kind| direct_for(prepared, kind)));
-            programs.push(reflect(target));
-        }
-        Direct::Clustered => {
-            for emitter in kinds().map(Emitter::of) {
-                let shade = shade(target, false, settings.sharing(), emitter);
-                programs.extend([visibility_for(prepared, emitter), shade]);
+    if settings.direct != Direct::Off {
+        for kind in kinds() {
+            match Emitter::of(kind).filter(|_| settings.direct == Direct::Clustered) {
+                Some(emitter) => {
+                    let shade = shade(target, false, settings.sharing(), emitter);
+                    programs.extend([visibility_for(prepared, emitter), shade]);
+                }
+                None => programs.push(direct_for(prepared, kind)),
             }
-            programs.push(reflect(target));
         }
-        Direct::Off => {}
+        programs.push(reflect(target));
     }
     if settings.traces_light_paths() {
         let bounded = settings.clamp != Clamp::Off;
@@ -373,6 +429,11 @@ impl Kernels {
     }
 }
 
+/// Whether there are programs for a kind of lights: not for an environment that is not there.
+fn has_kind(target: Target, kind: LightKind) -> bool {
+    kind != LightKind::Environment || target.features.sky.shines()
+}
+
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
     let mut programs = vec![expand(), separate()];
@@ -386,9 +447,10 @@ pub fn all_programs() -> Vec<Program> {
         programs.extend([visible_points(target), antialias(target), resolve(target)]);
         programs.extend([emit(target), reflect(target), removed(target), combine(target)]);
         programs.extend([false, true].map(|probed| collect(target, probed)));
+        programs.extend(background(target));
         let shown = [Method::Normal, Method::Depth, Method::Albedo];
         programs.extend(shown.into_iter().filter_map(|method| show(target, method)));
-        for kind in LightKind::ALL {
+        for kind in LightKind::ALL.into_iter().filter(|&kind| has_kind(target, kind)) {
             programs.extend([false, true].map(|many| direct(target, kind, many)));
         }
         let sharing = [Sharing::Cluster, Sharing::Fuzzy];

@@ -1,117 +1,129 @@
 //! The light sources as tables to draw from, for direct light and for light paths.
 
-use std::f32::consts::PI;
+mod area;
+mod bounds;
+mod directional;
+mod environment;
+mod point;
+mod table;
+
+use std::f64::consts::PI;
 
 use glam::Vec3;
 
 use super::merge::VirtualLight;
-use super::surface::light_glow;
-use crate::gpu::{AreaLightRecord, Gpu, GpuError, PointLightRecord};
-use crate::sampling::{Sequence, uniform_triangle};
+use crate::bvh::Ray;
+use crate::gpu::{
+    AreaLightRecord, DirectionalLightRecord, Gpu, GpuError, PointLightRecord, SpotLightRecord,
+};
+use crate::sampling::SURFACE_OFFSET;
 use crate::scene::Scene;
+
+pub use bounds::Bounds;
+pub use environment::EnvironmentLight;
+pub use table::{Share, Table};
 
 /// The kinds of light sources, each with a table and passes of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LightKind {
-    /// Lights without extent.
+    /// Lights without extent that shine in all directions.
     Point,
+    /// Lights without extent that shine into a cone.
+    Spot,
+    /// Lights infinitely far away.
+    Directional,
     /// Emitting triangles.
     Area,
+    /// Light from all directions.
+    Environment,
 }
 
 impl LightKind {
     /// All of them.
-    pub const ALL: [Self; 2] = [Self::Point, Self::Area];
+    pub const ALL: [Self; 5] =
+        [Self::Point, Self::Spot, Self::Directional, Self::Area, Self::Environment];
+
+    /// Whether it takes one shadow ray to know what a light gives to a point: it has no extent.
+    pub fn is_exact(self) -> bool {
+        matches!(self, Self::Point | Self::Spot | Self::Directional)
+    }
+
+    /// Whether its lights, or places on them, can be gathered as VPLs are, with a visibility that
+    /// clusters share. Spots are no such lights, as they shine neither by the cosine nor in all
+    /// directions.
+    pub fn has_places(self) -> bool {
+        matches!(self, Self::Point | Self::Area)
+    }
 }
 
 /// All lights of a scene.
 #[derive(Debug, Clone, Default)]
 pub struct Lights {
-    /// Emitting triangles; their probabilities are proportional to power and sum to one.
-    pub area: Vec<AreaLightRecord>,
-    /// Lights without extent.
-    pub point: Vec<PointLightRecord>,
+    /// Emitting triangles.
+    pub area: Table<AreaLightRecord>,
     /// The triangles that they are, by their indices in the scene.
     pub emitters: Vec<u32>,
-    /// Flux of all area lights, mean of the channels.
-    area_power: f64,
-    /// Running sums of the point lights' flux.
-    point_power: Vec<f64>,
+    /// Lights without extent that shine in all directions.
+    pub point: Table<PointLightRecord>,
+    /// Those that shine into a cone.
+    pub spot: Table<SpotLightRecord>,
+    /// Lights infinitely far away.
+    pub directional: Table<DirectionalLightRecord>,
+    /// Light from all directions, if it is not black.
+    pub environment: Option<EnvironmentLight>,
+    /// Where those shine.
+    bounds: Bounds,
 }
 
-/// A light drawn with a probability proportional to its power.
-#[derive(Debug, Clone, Copy)]
-pub struct Choice<'a> {
-    /// The light.
-    pub light: LightRef<'a>,
-    /// Its probability among all lights.
-    pub probability: f32,
-    /// What is left of the random number, uniform in [0, 1).
-    pub rest: f32,
-}
-
-/// One light of [`Lights`].
-#[derive(Debug, Clone, Copy)]
-pub enum LightRef<'a> {
-    /// An emitting triangle, and its index in the scene.
-    Area(&'a AreaLightRecord, u32),
-    /// A light without extent.
-    Point(&'a PointLightRecord),
+/// The first segment of a light path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Start {
+    /// Where it starts and goes.
+    pub ray: Ray,
+    /// What it carries: of one path, drawn with certainty from this light.
+    pub flux: Vec3,
 }
 
 impl Lights {
     /// The lights of a scene.
     pub fn of(scene: &Scene) -> Self {
-        let emitters: Vec<u32> = scene.emitters().collect();
-        let power = |&index: &u32| {
-            let triangle = &scene.triangles[index as usize];
-            let material = &scene.materials[triangle.material as usize];
-            let sides = if material.two_sided { 2.0 } else { 1.0 };
-            sides * f64::from(PI * triangle.area()) * mean(material.emission)
-        };
-        let area_power: f64 = emitters.iter().map(power).sum();
-        let mut before = 0.0;
-        let area = emitters
-            .iter()
-            .map(|index| {
-                let record = area_light(scene, *index, before, power(index) / area_power);
-                before += f64::from(record.probability);
-                record
-            })
-            .collect();
-        let mut sum = 0.0;
-        let point_power: Vec<f64> = scene
-            .point_lights
-            .iter()
-            .map(|light| {
-                sum += f64::from(4.0 * PI) * mean(light.intensity);
-                sum
-            })
-            .collect();
-        let mut before = 0.0;
-        let point = scene
-            .point_lights
-            .iter()
-            .zip(&point_power)
-            .map(|(light, &up_to)| {
-                let record = PointLightRecord {
-                    position: light.position.to_array(),
-                    before: (before / sum) as f32,
-                    intensity: light.intensity.to_array(),
-                    probability: ((up_to - before) / sum) as f32,
-                };
-                before = up_to;
-                record
-            })
-            .collect();
-        Self { area, point, emitters, area_power, point_power }
+        let bounds = Bounds::of(scene);
+        Self {
+            area: area::triangles(scene),
+            emitters: scene.emitters().collect(),
+            point: point::points(scene),
+            spot: point::spots(scene),
+            directional: directional::directional(scene, &bounds),
+            environment: EnvironmentLight::of(scene, &bounds),
+            bounds,
+        }
     }
 
     /// How many lights of a kind there are.
     pub fn count(&self, kind: LightKind) -> u32 {
+        let count = match kind {
+            LightKind::Point => self.point.records.len(),
+            LightKind::Spot => self.spot.records.len(),
+            LightKind::Directional => self.directional.records.len(),
+            LightKind::Area => self.area.records.len(),
+            LightKind::Environment => usize::from(self.environment.is_some()),
+        };
+        count as u32
+    }
+
+    /// How many lights of all kinds there are.
+    pub fn all(&self) -> usize {
+        LightKind::ALL.map(|kind| self.count(kind) as usize).iter().sum()
+    }
+
+    /// Flux of all lights of a kind, mean of the channels.
+    pub fn power(&self, kind: LightKind) -> f64 {
         match kind {
-            LightKind::Point => self.point.len() as u32,
-            LightKind::Area => self.area.len() as u32,
+            LightKind::Point => self.point.power,
+            LightKind::Spot => self.spot.power,
+            LightKind::Directional => self.directional.power,
+            LightKind::Area => self.area.power,
+            LightKind::Environment => self.environment.as_ref().map_or(0.0, |light| light.power),
         }
     }
 
@@ -126,48 +138,28 @@ impl Lights {
     /// It does not fit.
     pub fn upload(&self, gpu: &Gpu, kind: LightKind) -> Result<wgpu::Buffer, GpuError> {
         match kind {
-            LightKind::Point => gpu.storage_of("point lights", &self.point),
-            LightKind::Area => gpu.storage_of("area lights", &self.area),
+            LightKind::Point => gpu.storage_of("point lights", &self.point.records),
+            LightKind::Spot => gpu.storage_of("spot lights", &self.spot.records),
+            LightKind::Directional => {
+                gpu.storage_of("directional lights", &self.directional.records)
+            }
+            LightKind::Area => gpu.storage_of("area lights", &self.area.records),
+            LightKind::Environment => {
+                let words = self.environment.as_ref().map_or(Vec::new(), EnvironmentLight::words);
+                gpu.storage_of("environment", &words)
+            }
         }
     }
 
     /// The probability density, by area, of a place on an area light, over the mean of its radiance
     /// and the number of its sides; 0 without area lights.
     pub fn area_density(&self) -> f32 {
-        if self.area.is_empty() { 0.0 } else { (f64::from(PI) / self.area_power) as f32 }
+        if self.area.records.is_empty() { 0.0 } else { (PI / self.area.power) as f32 }
     }
 
-    /// The index of the area light whose interval of probability holds `u`, and where in it.
-    fn area_at(&self, u: f64) -> (usize, f32) {
-        let at = self.area.partition_point(|l| f64::from(l.before) <= u).saturating_sub(1);
-        let light = &self.area[at];
-        (at, unit((u - f64::from(light.before)) / f64::from(light.probability)))
-    }
-
-    /// `count` places on the area lights, chosen by power and then uniform, as lights that
-    /// together give the light of all.
+    /// `count` places on the area lights, as lights that together give the light of all.
     pub fn places(&self, scene: &Scene, count: u32, seed: u32) -> Vec<VirtualLight> {
-        let sequence = Sequence::new(seed);
-        let places = if self.area.is_empty() { 0 } else { count };
-        let mut lights = Vec::new();
-        for index in 0..places {
-            let draw = |dimension| sequence.sample(index, dimension);
-            let (index, rest) = self.area_at(f64::from(draw(0)));
-            let light = &self.area[index];
-            let [b, c] = uniform_triangle([rest, draw(1)]);
-            let [corner, edge1, edge2, normal, radiance] =
-                [light.corner, light.edge1, light.edge2, light.normal, light.radiance]
-                    .map(Vec3::from_array);
-            let glow = light_glow(scene, self.emitters[index], [1.0 - b - c, b, c]);
-            // L cos θ over the pdf of light and position, of which there are `count`.
-            let intensity = radiance * glow * (light.area / (light.probability * count as f32));
-            let position = corner + edge1 * b + edge2 * c;
-            lights.push(VirtualLight::diffuse(position, normal, intensity));
-            if light.two_sided != 0 {
-                lights.push(VirtualLight::diffuse(position, -normal, intensity));
-            }
-        }
-        lights
+        area::places(scene, self, count, seed)
     }
 
     /// The point lights, as lights without a surface.
@@ -176,59 +168,75 @@ impl Lights {
             let [position, intensity] = [light.position, light.intensity].map(Vec3::from_array);
             VirtualLight::diffuse(position, Vec3::ZERO, intensity)
         };
-        self.point.iter().map(light).collect()
+        self.point.records.iter().map(light).collect()
     }
 
-    /// Draws a light by power; none if no light has any.
-    pub fn choose(&self, u: f32) -> Option<Choice<'_>> {
-        let point_power = self.point_power.last().copied().unwrap_or(0.0);
-        let total = self.area_power + point_power;
-        if total.is_nan() || total <= 0.0 {
-            return None;
+    /// The start of a light path, from a light drawn by power with `choice`, and at a place and in
+    /// a direction drawn with `u`; none if no light has any power.
+    pub fn start(&self, scene: &Scene, choice: f32, u: [f32; 4]) -> Option<Start> {
+        /// Area lights are first, as always: what a seed gives is to stay.
+        const ORDER: [LightKind; 5] = [
+            LightKind::Area,
+            LightKind::Point,
+            LightKind::Spot,
+            LightKind::Directional,
+            LightKind::Environment,
+        ];
+        let lit = || ORDER.into_iter().filter(|&kind| self.power(kind) > 0.0);
+        let total: f64 = lit().map(|kind| self.power(kind)).sum();
+        let mut target = f64::from(choice) * total;
+        let last = lit().next_back()?;
+        for kind in lit() {
+            let power = self.power(kind);
+            if target < power || kind == last {
+                let at = (target / power).min(1.0);
+                let (start, probability) = self.start_of(scene, kind, at, u)?;
+                let probability = (power / total * f64::from(probability)) as f32;
+                return Some(Start { flux: start.flux / probability, ..start });
+            }
+            target -= power;
         }
-        let target = f64::from(u) * total;
-        if target < self.area_power || self.point.is_empty() {
-            let share = self.area_power / total;
-            let (at, rest) = self.area_at((target / self.area_power).min(1.0));
-            let light = &self.area[at];
-            let probability = (share * f64::from(light.probability)) as f32;
-            return Some(Choice {
-                light: LightRef::Area(light, self.emitters[at]),
-                probability,
-                rest,
-            });
-        }
-        let target = target - self.area_power;
-        let at = self.point_power.partition_point(|&sum| sum <= target).min(self.point.len() - 1);
-        let before = if at == 0 { 0.0 } else { self.point_power[at - 1] };
-        let power = self.point_power[at] - before;
-        let rest = unit((target - before) / power);
-        let light = LightRef::Point(&self.point[at]);
-        Some(Choice { light, probability: (power / total) as f32, rest })
+        None
+    }
+
+    /// From the light of a kind whose interval of probability holds `at`, and its probability.
+    fn start_of(
+        &self,
+        scene: &Scene,
+        kind: LightKind,
+        at: f64,
+        u: [f32; 4],
+    ) -> Option<(Start, f32)> {
+        Some(match kind {
+            LightKind::Area => {
+                let (index, probability, rest) = self.area.index_at(at)?;
+                let light = &self.area.records[index];
+                (area::start(scene, light, self.emitters[index], rest, u), probability)
+            }
+            LightKind::Point => {
+                let (light, probability, _) = self.point.at(at)?;
+                (point::start_of_point(light, u), probability)
+            }
+            LightKind::Spot => {
+                let (light, probability, _) = self.spot.at(at)?;
+                (point::start_of_spot(light, u), probability)
+            }
+            LightKind::Directional => {
+                let (light, probability, _) = self.directional.at(at)?;
+                (directional::start(light, &self.bounds, u), probability)
+            }
+            LightKind::Environment => {
+                let (light, environment) =
+                    (self.environment.as_ref()?, scene.environment.as_ref()?);
+                (light.start(environment, &self.bounds, u), 1.0)
+            }
+        })
     }
 }
 
-fn area_light(scene: &Scene, index: u32, before: f64, probability: f64) -> AreaLightRecord {
-    let triangle = &scene.triangles[index as usize];
-    let material = &scene.materials[triangle.material as usize];
-    let [a, b, c] = triangle.vertices;
-    AreaLightRecord {
-        corner: a.to_array(),
-        before: before as f32,
-        edge1: (b - a).to_array(),
-        probability: probability as f32,
-        edge2: (c - a).to_array(),
-        two_sided: u32::from(material.two_sided),
-        normal: triangle.scaled_normal().normalize().to_array(),
-        area: triangle.area(),
-        radiance: material.emission.to_array(),
-        pad: 0.0,
-    }
-}
-
-/// Rounding may leave the remainder a little outside of its interval.
-fn unit(x: f64) -> f32 {
-    (x as f32).clamp(0.0, 1.0 - f32::EPSILON)
+/// A ray from a surface.
+pub fn leave(position: Vec3, normal: Vec3, direction: Vec3) -> Ray {
+    Ray { origin: position + normal * SURFACE_OFFSET, direction, limit: f32::MAX }
 }
 
 fn mean(rgb: Vec3) -> f64 {

@@ -136,11 +136,13 @@ impl<'a> PathTracer<'a> {
             nodes: self.prepared.bvh.nodes.len() as u32,
             offset: SURFACE_OFFSET,
             light_density: 0.0,
+            background: 0.0,
+            pad: [0; 3],
         };
         let groups = [wave.paths().div_ceil(64), 1];
         phases.visible_points +=
             stages.camera.run(self.prepared, &self.camera_params(wave), groups)?;
-        if let Some(emit) = &stages.emit {
+        for emit in &stages.emit {
             phases.shading += emit.run(self.prepared, &(), groups)?;
         }
         let mut params = PathParams { paths: self.survivors(&params, phases)?, ..params };
@@ -149,13 +151,15 @@ impl<'a> PathTracer<'a> {
             // The light of a vertex: from shadow rays, and from what the next segment happens upon.
             let is_lit = params.bounce > 0 || self.settings.direct != Direct::Off;
             params.light_density = if is_lit { self.prepared.lights.area_density() } else { 0.0 };
+            params.background =
+                if is_lit && self.prepared.features.sky.shines() { 1.0 } else { 0.0 };
             if is_lit {
                 let time = self.shadow_rays(&params)?;
                 let first = params.bounce == 0;
                 *(if first { &mut phases.direct } else { &mut phases.visibility }) += time;
             }
             let last = self.settings.bounces == Bounces::Finite(params.bounce);
-            let goes_on = !last || params.light_density > 0.0;
+            let goes_on = !last || params.light_density > 0.0 || params.background > 0.0;
             let Some(segment) = stages.segment.as_ref().filter(|_| goes_on) else { break };
             let groups = [params.paths.div_ceil(64), 1];
             phases.visibility += segment.run(self.prepared, &params, groups)?;

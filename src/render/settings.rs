@@ -93,7 +93,9 @@ pub enum Direct {
     /// Shadow rays from every visible point.
     #[default]
     PerPixel,
-    /// Visibility shared by clusters of visible points, as in the thesis.
+    /// Visibility shared by clusters of visible points, as in the thesis: that of point lights and
+    /// of places on area lights. Spots, directional lights and the environment have shadow rays
+    /// from every visible point all the same.
     Clustered,
     /// Left out; emission towards the camera stays.
     Off,

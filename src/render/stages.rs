@@ -82,6 +82,7 @@ impl Buffers {
     pub fn named<'a>(&'a self, prepared: &'a Prepared) -> Vec<Named<'a>> {
         let mut named = vec![("points", &self.points), ("film", &self.film)];
         named.extend(prepared.tables.iter().chain(&self.kept).map(|(name, of)| (*name, of)));
+        named.extend(prepared.environment());
         named.extend(self.radiance.as_ref().map(|buffer| ("radiance", buffer)));
         named.extend(self.irradiance.as_ref().map(|buffer| ("irradiance", buffer)));
         named.extend(self.energy.as_ref().map(|buffer| ("energy", buffer)));
@@ -102,8 +103,8 @@ pub struct Stages {
     pub resolve: Option<Stage>,
     /// The picture of a method without light.
     pub show: Option<Stage>,
-    /// Emission towards the camera.
-    pub emit: Option<Stage>,
+    /// Emission towards the camera, of surfaces and of the environment.
+    pub emit: Vec<Stage>,
     /// Direct light, a stage for each kind of lights.
     pub direct: Vec<(LightKind, Stage)>,
     /// Irradiance to radiance.
@@ -126,9 +127,8 @@ impl Stages {
         clamps: bool,
     ) -> Result<Self, GpuError> {
         let lit = settings.method.is_lit();
-        let direct = lit && settings.direct == Direct::PerPixel;
-        let shared = lit && settings.direct == Direct::Clustered;
-        let gathers = direct || shared || indirect;
+        let direct = lit && settings.direct != Direct::Off;
+        let gathers = direct || indirect;
         let edges = settings.antialiases();
         let target = prepared.target_of(settings);
         let buffers = Buffers::new(prepared, points, gathers, clamps, edges, target)?;
@@ -143,8 +143,11 @@ impl Stages {
             let named = [&named[..], &[("lights", table)]].concat();
             Ok((*kind, Stage::new(prepared, &kernels::direct_for(prepared, *kind), &named)?))
         };
-        let tables = if direct { &prepared.light_tables[..] } else { &[] };
-        let areas = prepared.lights.count(LightKind::Area) > 0;
+        // Clusters share the visibility of lights that have places; the others are exact.
+        let per_pixel = |kind: LightKind| {
+            direct && !(settings.direct == Direct::Clustered && kind.has_places())
+        };
+        let tables = prepared.light_tables.iter().filter(|(kind, _)| per_pixel(*kind));
         Ok(Self {
             visible: Stage::new(prepared, &kernels::visible_points(target), &on_film)?,
             antialias: edges
@@ -154,8 +157,12 @@ impl Stages {
                 .then(|| Stage::new(prepared, &kernels::resolve(target), &on_film))
                 .transpose()?,
             show: kernels::show(target, settings.method).map(bind).transpose()?,
-            emit: when(lit && areas, kernels::emit(target))?,
-            direct: tables.iter().map(with_lights).collect::<Result<_, GpuError>>()?,
+            emit: kernels::emitted(prepared)
+                .into_iter()
+                .filter(|_| lit)
+                .map(bind)
+                .collect::<Result<_, GpuError>>()?,
+            direct: tables.map(with_lights).collect::<Result<_, GpuError>>()?,
             reflect: when(gathers, kernels::reflect(target))?,
             removed: when(clamps, kernels::removed(target))?,
             buffers,

@@ -9,7 +9,7 @@ use super::interleave::Interleave;
 use super::light_set::LightSet;
 use super::stages::{Stage, Stages};
 use super::visibility::dispatch_rays;
-use super::{Counts, LightKind, Method, Phases, Prepared, Progress, Settings, kernels};
+use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};
 use crate::gpu::{CameraParams, DirectParams, GpuError, PointRecord};
 use crate::image::Image;
 use crate::sampling::{SURFACE_OFFSET, hash};
@@ -209,9 +209,9 @@ impl<'a> TileRenderer<'a> {
         let mut time = Duration::ZERO;
         for (kind, stage) in &self.stages.direct {
             let lights = self.prepared.lights.count(*kind);
-            let rays = match kind {
-                LightKind::Point => lights,
-                LightKind::Area => self.settings.light_samples_per_point(),
+            let rays = match kind.is_exact() {
+                true => lights,
+                false => self.settings.light_samples_per_point(),
             };
             for start in (0..rays).step_by(slice as usize) {
                 let params = DirectParams {

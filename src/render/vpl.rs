@@ -5,14 +5,12 @@ use std::f32::consts::PI;
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::light::{Choice, LightRef, Lights};
+use super::light::{Lights, Start, leave};
 use super::scatter::{self, Carried, Place};
 use super::settings::Bounces;
-use super::surface::{Surface, light_glow};
+use super::surface::Surface;
 use crate::bvh::{Bvh, Ray};
-use crate::sampling::{
-    SURFACE_OFFSET, Sequence, cosine_hemisphere, uniform_sphere, uniform_triangle,
-};
+use crate::sampling::Sequence;
 use crate::scene::Scene;
 
 /// Russian roulette lets a path live with at most this probability.
@@ -118,35 +116,9 @@ impl LightPaths<'_> {
     /// The first segment of a path and its flux.
     fn start(&self, sequence: &Sequence, path: u32) -> Option<(Ray, Vec3)> {
         let draw = |dimension| sequence.sample(path, dimension);
-        let Choice { light, probability, rest } = self.lights.choose(draw(0))?;
-        let paths = self.count as f32;
-        match light {
-            LightRef::Area(light, triangle) => {
-                let [b, c] = uniform_triangle([draw(1), draw(2)]);
-                let [corner, edge1, edge2, normal, radiance] =
-                    [light.corner, light.edge1, light.edge2, light.normal, light.radiance]
-                        .map(Vec3::from_array);
-                let two_sided = light.two_sided != 0;
-                let normal = if two_sided && rest < 0.5 { -normal } else { normal };
-                let sides = if two_sided { 2.0 } else { 1.0 };
-                let direction = cosine_hemisphere(normal, [draw(3), draw(4)]);
-                let glow = light_glow(self.scene, triangle, [1.0 - b - c, b, c]);
-                // L cos θ over the pdf of light, position and direction.
-                let flux = radiance * glow * (PI * light.area * sides / (probability * paths));
-                Some((leave(corner + edge1 * b + edge2 * c, normal, direction), flux))
-            }
-            LightRef::Point(light) => {
-                let direction = uniform_sphere([draw(3), draw(4)]);
-                let origin = Vec3::from_array(light.position);
-                let flux = Vec3::from_array(light.intensity) * (4.0 * PI / (probability * paths));
-                Some((Ray { origin, direction, limit: f32::MAX }, flux))
-            }
-        }
+        let Start { ray, flux } = self.lights.start(self.scene, draw(0), [1, 2, 3, 4].map(draw))?;
+        Some((ray, flux / self.count as f32))
     }
-}
-
-fn leave(position: Vec3, normal: Vec3, direction: Vec3) -> Ray {
-    Ray { origin: position + normal * SURFACE_OFFSET, direction, limit: f32::MAX }
 }
 
 /// The bound on G of the default clamp: no VPL alone gives more irradiance than an eighth of

@@ -40,14 +40,14 @@ impl Environment {
     /// The radiance that comes from a direction, of unit length: that of the texel. The twin of
     /// `background` in `shaders/environment_image.wgsl`.
     pub fn from_direction(&self, direction: Vec3) -> Vec3 {
-        self.radiance * self.image.as_ref().map_or(Vec3::ONE, |image| image.at(direction))
+        self.radiance * self.image.as_ref().map_or(Vec3::ONE, |image| image.at(place(direction)))
     }
 }
 
 impl EnvironmentImage {
-    fn at(&self, direction: Vec3) -> Vec3 {
+    /// The texel at a place, from the top left, in [0, 1]².
+    pub fn at(&self, uv: Vec2) -> Vec3 {
         let [width, height] = self.size;
-        let uv = place(direction);
         let texel = |at: f32, size: u32| ((at * size as f32) as u32).min(size - 1);
         let (x, y) = (texel(uv.x, width), texel(uv.y, height));
         unpack(self.texels[y as usize * width as usize + x as usize])
@@ -57,7 +57,7 @@ impl EnvironmentImage {
 /// Where in an equirectangular image a unit direction is, from its top left, in [0, 1]².
 pub fn place(direction: Vec3) -> Vec2 {
     let turn = libm::atan2f(direction.x, -direction.z);
-    let polar = libm::acosf(direction.y.clamp(-1.0, 1.0));
+    let polar = libm::atan2f(libm::hypotf(direction.x, direction.z), direction.y);
     Vec2::new(0.5 + turn / TAU, polar / PI)
 }
 

@@ -5,6 +5,7 @@
 
 pub mod compare;
 pub mod gather;
+pub mod lights;
 pub mod paths;
 pub mod points;
 pub mod tracing;

@@ -1,15 +1,16 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, camera_rays, follow, kept, surfaces, view};
+use super::{Prepared, camera_rays, follow, kept, lights_of, sky, surfaces, view};
 use crate::gpu::module::{
-    AREA_LIGHT, CHOOSE_LIGHT, EMIT, FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS,
-    NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT,
-    PATH_NO_EMISSION, PATH_POINT, PATH_RANDOM, PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG,
-    POINT_LIGHT, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, THROUGHPUT_NONE,
-    THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
+    BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
+    FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS, NO_ROULETTE, PATH, PATH_BACKGROUND,
+    PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_EXACT,
+    PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND, PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED,
+    PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG,
+    THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
 };
 use crate::gpu::{Module, Program};
-use crate::render::{Bounces, Direct, LightKind, Settings, Target};
+use crate::render::{Bounces, Direct, LightKind, Settings, Sky, Target};
 
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
@@ -42,19 +43,25 @@ pub fn emit(target: Target) -> Program {
     Program::new("emission", [&[&TYPES], throughput, &last].concat())
 }
 
-/// Shadow rays to the lights of a kind.
-pub fn next_event(target: Target, kind: LightKind) -> Program {
-    let (label, last) = match kind {
-        LightKind::Point => {
-            ("paths, point lights", vec![&POINT_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &PATH_POINT])
-        }
-        LightKind::Area => {
-            let mut last = surfaces::light_glow(target.features);
-            last.extend([&AREA_LIGHT, &CHOOSE_LIGHT, &PATH_LIGHT, &MIS, &PATH_AREA]);
-            ("paths, area lights", last)
-        }
+/// Shadow rays to the lights of a kind; none to a constant environment, which the next segment
+/// finds as well.
+pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
+    if kind == LightKind::Environment && target.features.sky != Sky::Image {
+        return None;
+    }
+    let mut last = lights_of(target, kind);
+    match kind.is_exact() {
+        true => last.extend([&CHOOSE_LIGHT, &PATH_LIGHT, &PATH_EXACT]),
+        false => last.extend([&PATH_LIGHT, &MIS, &PATH_SAMPLED]),
+    }
+    let label = match kind {
+        LightKind::Point => "paths, point lights",
+        LightKind::Spot => "paths, spot lights",
+        LightKind::Directional => "paths, directional lights",
+        LightKind::Area => "paths, area lights",
+        LightKind::Environment => "paths, environment",
     };
-    Program::new(label, vertex(target, &last))
+    Some(Program::new(label, vertex(target, &last)))
 }
 
 /// The next segment of paths, in a scene with or without area lights.
@@ -63,9 +70,20 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let mut last = follow(target);
     last.extend([survival, surfaces::glow(target.features)]);
     last.extend(surfaces::keep(target.features));
-    match areas {
-        true => last.extend([&MIS, &PATH_EMISSION]),
-        false => last.push(&PATH_NO_EMISSION),
+    let sky = target.features.sky;
+    if areas || sky.shines() {
+        last.push(&PATH_FOUND);
+    }
+    if areas || sky == Sky::Image {
+        last.push(&MIS);
+    }
+    last.push(if areas { &PATH_EMISSION } else { &PATH_NO_EMISSION });
+    match sky {
+        Sky::None => last.push(&PATH_NO_BACKGROUND),
+        Sky::Constant => last.extend([&ENVIRONMENT_CONSTANT, &PATH_BACKGROUND]),
+        Sky::Image => {
+            last.extend([&ENVIRONMENT_IMAGE, &ENVIRONMENT_CELLS, &PATH_BACKGROUND_WEIGHTED]);
+        }
     }
     last.push(&PATH_SEGMENT);
     Program::new("paths, segment", vertex(target, &last))
@@ -91,9 +109,27 @@ pub fn seeks_light(settings: &Settings) -> bool {
     settings.direct != Direct::Off || settings.bounces != Bounces::Finite(0)
 }
 
-/// Whether paths go beyond the visible point: to bounce, or to happen upon area lights.
-pub fn has_segments(settings: &Settings, areas: bool) -> bool {
-    settings.bounces != Bounces::Finite(0) || (areas && settings.direct != Direct::Off)
+/// Whether paths go beyond the visible point: to bounce, or to happen upon lights.
+pub fn has_segments(prepared: &Prepared, settings: &Settings) -> bool {
+    let happens = prepared.lights.count(LightKind::Area) > 0 || prepared.features.sky.shines();
+    settings.bounces != Bounces::Finite(0) || (happens && settings.direct != Direct::Off)
+}
+
+/// What paths see that is emitted towards the camera, in a scene.
+pub fn emitted(prepared: &Prepared) -> Vec<Program> {
+    let (target, areas) = (prepared.target(), prepared.lights.count(LightKind::Area) > 0);
+    areas.then(|| emit(target)).into_iter().chain(background(target)).collect()
+}
+
+/// What paths see of the environment.
+fn background(target: Target) -> Option<Program> {
+    let mut modules = vec![&TYPES];
+    modules.extend(sky(target)?);
+    match target.features.specular() {
+        true => modules.extend([&PATH_STATE, &THROUGHPUT_PATH, &BACKGROUND]),
+        false => modules.extend([&THROUGHPUT_NONE, &BACKGROUND]),
+    }
+    Some(Program::new("background", modules))
 }
 
 /// What a scene and settings need.
@@ -101,11 +137,11 @@ pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     let target = prepared.target();
     let areas = prepared.lights.count(LightKind::Area) > 0;
     let mut programs = vec![camera(target), count(), compact(), sum()];
-    programs.extend(areas.then(|| emit(target)));
+    programs.extend(emitted(prepared));
     if seeks_light(settings) {
-        programs.extend(prepared.lights.kinds().map(|kind| next_event(target, kind)));
+        programs.extend(prepared.lights.kinds().filter_map(|kind| next_event(target, kind)));
     }
-    let segments = has_segments(settings, areas);
+    let segments = has_segments(prepared, settings);
     programs.extend(segments.then(|| segment(target, settings.bounces, areas)));
     programs
 }
@@ -113,7 +149,8 @@ pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
 /// Every program of paths that traces rays.
 pub(super) fn all(target: Target) -> Vec<Program> {
     let mut programs = vec![camera(target), emit(target)];
-    programs.extend(LightKind::ALL.map(|kind| next_event(target, kind)));
+    programs.extend(background(target));
+    programs.extend(LightKind::ALL.into_iter().filter_map(|kind| next_event(target, kind)));
     for areas in [false, true] {
         let kinds = [Bounces::Finite(1), Bounces::Unlimited];
         programs.extend(kinds.map(|bounces| segment(target, bounces, areas)));

@@ -27,7 +27,7 @@ pub struct Stages {
     /// Camera rays.
     pub camera: Stage,
     /// Emission towards the camera.
-    pub emit: Option<Stage>,
+    pub emit: Vec<Stage>,
     /// Shadow rays to one of so many lights: area lights, point lights.
     pub lights: Vec<(Stage, u32)>,
     /// The next segment, for the next vertex or for the light that it happens upon.
@@ -77,20 +77,24 @@ impl Stages {
             ("places", &buffers.places),
             ("sums", &buffers.sums),
         ];
-        let named: &[Named<'_>] = &own.into_iter().chain(tables).collect::<Vec<_>>();
+        let named: &[Named<'_>] =
+            &own.into_iter().chain(tables).chain(prepared.environment()).collect::<Vec<_>>();
         let bind = |program: Program| Stage::new(prepared, &program, named);
         let target = prepared.target();
         let mut lights = Vec::new();
         if programs::seeks_light(settings) {
             for (kind, table) in &prepared.light_tables {
                 let named = [named, &[("lights", table)]].concat();
-                let stage = Stage::new(prepared, &programs::next_event(target, *kind), &named)?;
-                lights.push((stage, prepared.lights.count(*kind)));
+                if let Some(program) = programs::next_event(target, *kind) {
+                    let stage = Stage::new(prepared, &program, &named)?;
+                    lights.push((stage, prepared.lights.count(*kind)));
+                }
             }
         }
         let areas = prepared.lights.count(LightKind::Area) > 0;
-        let emit = areas.then(|| bind(programs::emit(target))).transpose()?;
-        let segment = programs::has_segments(settings, areas)
+        let emit = programs::emitted(prepared).into_iter().map(bind);
+        let emit = emit.collect::<Result<_, GpuError>>()?;
+        let segment = programs::has_segments(prepared, settings)
             .then(|| bind(programs::segment(target, settings.bounces, areas)));
         Ok(Self {
             camera: bind(programs::camera(target))?,

@@ -1,0 +1,22 @@
+// Irradiance from lights without extent, each by one exact shadow ray.
+
+// No invocation returns early: a subgroup may trace its rays together.
+@compute @workgroup_size(64)
+fn main(
+    @builtin(global_invocation_id) id: vec3u,
+    @builtin(local_invocation_index) invocation: u32,
+) {
+    let point = points[min(id.x, params.points - 1u)];
+    let is = id.x < params.points && point.surface != NOTHING;
+    let origin = light_origin(point, params.offset);
+    var sum = Gathered();
+    for (var i = params.first; i < params.first + params.count; i++) {
+        let light = light_of(i, point, params.offset);
+        let limit = select(0.0, light.limit, is && light.faces);
+        let hit = traverse(origin, light.toward, limit, params.nodes, true, invocation);
+        if limit > 0.0 && hit.triangle == NOTHING {
+            sum += arriving(point, normalize(light.toward), light.radiance * light.geometry);
+        }
+    }
+    if is { irradiance[id.x] += sum; }
+}
