@@ -7,6 +7,9 @@
 @group(0) @binding(8) var<storage, read_write> film: array<vec4f>;
 @group(0) @binding(20) var<storage, read> radiance: array<vec4f>;
 
+// More than any squared distance in normalised units, and little more: what is added is not lost.
+const FARTHEST = 16.0;
+
 fn alike(p: Point, q: Point) -> bool {
     let same = one_surface(p.normal, q.normal, q.position - p.position);
     return p.surface == q.surface && (same || p.surface == NOTHING);
@@ -57,7 +60,7 @@ fn main(
             let index = around(pixel, own, i);
             let other = points[index];
             let way = other.position - seen.position;
-            let far = select(1e15, 0.0, alike(seen, other));
+            let far = select(FARTHEST, 0.0, alike(seen, other));
             let distance = far + dot(way, way);
             best = select(best, index, distance < least);
             least = min(least, distance);

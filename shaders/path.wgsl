@@ -17,9 +17,11 @@ struct PathParams {
     light_density: f32,
     // 1 if the environment that the next segment escapes to counts, else 0.
     background: f32,
+    // The probability of an emitting sphere over its mean radiance, its sides and its squared
+    // radius; 0 if emission that the next segment finds does not count.
+    sphere_density: f32,
     pad0: u32,
     pad1: u32,
-    pad2: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: PathParams;

@@ -44,7 +44,7 @@ fn main(
         keep_albedo(slot, hit, next);
         keep_glow(slot, hit, next);
         paths[slot] = Path(carried, path.stream);
-        find_emission(slot, carried, next, sight.direction, density);
+        find_emission(slot, carried, point, hit, next, sight.direction, density);
     } else if limit > 0.0 {
         find_background(slot, carried, sight.direction, density);
     }

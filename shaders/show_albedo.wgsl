@@ -8,5 +8,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&film) { return; }
     let point = points[id.x];
     if point.surface == NOTHING { return; }
-    film[id.x] += vec4f(albedo_of(id.x, point), 0.0);
+    film[id.x] += vec4f(reflectance_of(id.x, point), 0.0);
 }

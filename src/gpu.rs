@@ -19,8 +19,8 @@ pub use kernel::Kernel;
 pub use layout::{
     AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
     FinishRecord, GlossyVplRecord, InterleaveParams, MaterialRecord, NodeRecord, PathParams,
-    PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SpotLightRecord,
-    TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
+    PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord,
+    SpotLightRecord, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};

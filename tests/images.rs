@@ -21,12 +21,18 @@ fn settings(method: Method) -> Settings {
 }
 
 #[test]
-fn builtin_scenes_look_as_they_did() {
+fn scenes_look_as_they_did() {
     let bless = env::var_os("GPU_VPL_BLESS").is_some_and(|value| value == "1");
     let mut faults = Vec::new();
-    for scene in ["cornell", "cornell-point"] {
-        let mut loaded = Scene::load(&format!("builtin:{scene}")).unwrap();
-        loaded.camera.size = [32, 32];
+    let gallery = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/gallery.toml");
+    let scenes = [
+        ("cornell", "builtin:cornell", [32, 32]),
+        ("cornell-point", "builtin:cornell-point", [32, 32]),
+        ("gallery", gallery, [48, 36]),
+    ];
+    for (scene, source, size) in scenes {
+        let mut loaded = Scene::load(source).unwrap();
+        loaded.camera.size = size;
         let prepared = Prepared::new(open_gpu(), loaded, &settings(Method::Vpl)).unwrap();
         let methods = [
             Method::Vpl,

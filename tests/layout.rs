@@ -9,8 +9,8 @@ use std::mem::offset_of;
 use gpu_vpl::gpu::{
     AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
     FinishRecord, GlossyVplRecord, InterleaveParams, MaterialRecord, NodeRecord, PathParams,
-    PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SpotLightRecord,
-    TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
+    PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord,
+    SpotLightRecord, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};
@@ -97,6 +97,9 @@ fn records() -> Vec<Record> {
         record!(DirectionalLightRecord as "DirectionalLight" {
             toward, before, irradiance, probability,
         }),
+        record!(SphereLightRecord as "SphereLight" {
+            center, radius, radiance, two_sided, before, probability, pad,
+        }),
         record!(AreaLightRecord as "AreaLight" {
             corner, before, edge1, probability, edge2, two_sided, normal, area, radiance, pad,
         }),
@@ -119,7 +122,7 @@ fn records() -> Vec<Record> {
         record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),
         record!(PathParams as "PathParams" {
             paths, bounce, first_sample, samples, lights, nodes, offset, light_density,
-            background, pad,
+            background, sphere_density, pad,
         }),
         record!(InterleaveParams as "InterleaveParams" {
             width, height, s, rotation, subset_width, subset_points, points, pass_number,
@@ -179,7 +182,7 @@ fn all_modules() -> Vec<naga::Module> {
 #[test]
 fn host_records_are_laid_out_as_naga_does() {
     let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
-    assert_eq!(compared.len(), 21, "{compared:?}");
+    assert_eq!(compared.len(), 22, "{compared:?}");
 }
 
 #[test]

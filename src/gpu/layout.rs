@@ -236,6 +236,26 @@ pub struct AreaLightRecord {
     pub pad: f32,
 }
 
+/// An emitting sphere, 48 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct SphereLightRecord {
+    /// The centre.
+    pub center: [f32; 3],
+    /// The radius.
+    pub radius: f32,
+    /// Emitted radiance.
+    pub radiance: [f32; 3],
+    /// Whether it emits inwards, too.
+    pub two_sided: u32,
+    /// The probability of all emitting spheres before this one.
+    pub before: f32,
+    /// The probability of this one.
+    pub probability: f32,
+    /// Unused.
+    pub pad: [u32; 2],
+}
+
 /// Parameters of the camera pass.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
@@ -433,6 +453,9 @@ pub struct PathParams {
     pub light_density: f32,
     /// 1 if the environment that the next segment escapes to counts, else 0.
     pub background: f32,
+    /// The probability of an emitting sphere over its mean radiance, its sides and its squared
+    /// radius; 0 if emission that the next segment finds does not count.
+    pub sphere_density: f32,
     /// Unused.
-    pub pad: [u32; 3],
+    pub pad: [u32; 2],
 }

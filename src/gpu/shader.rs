@@ -84,6 +84,8 @@ pub mod module {
         THROUGHPUT_NONE = "throughput_none";
         THROUGHPUT_KEPT = "throughput_kept";
         THROUGHPUT_PATH = "throughput_path";
+        REFLECTANCE_PLAIN = "reflectance_plain";
+        REFLECTANCE_ANY = "reflectance_any";
         RESOLVE = "resolve";
         VPL_DIFFUSE = "vpl_diffuse";
         VPL_GLOSSY = "vpl_glossy" for "phong";
@@ -106,6 +108,9 @@ pub mod module {
         DIRECTIONAL_LIGHT = "directional_light" for "directional lights";
         DIRECT_EXACT = "direct_exact";
         AREA_LIGHT = "area_light" for "area lights";
+        SPHERE_CONE = "sphere_cone" for "sphere lights";
+        SPHERE_LIGHT = "sphere_light" for "sphere lights";
+        PATH_EMISSION_ANY = "path_emission_any" for "sphere lights";
         ENVIRONMENT_CONSTANT = "environment_constant" for "environment light";
         ENVIRONMENT_IMAGE = "environment_image" for "environment images";
         ENVIRONMENT_CELLS = "environment_cells" for "environment images";

@@ -1,12 +1,14 @@
 //! What a scene has, and so what its shaders hold: the one place that decides what is left out.
 
-use crate::scene::{Finish, Material, Scene};
+use crate::scene::{Finish, Material, Scene, Sphere};
 
 /// Features of a scene beside plain diffuse triangles. What is not there is not linked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Features {
     /// Shapes that are spheres.
     pub spheres: bool,
+    /// Spheres that emit.
+    pub sphere_lights: bool,
     /// Surfaces with holes where a texture's alpha is low.
     pub cutouts: bool,
     /// Albedo that varies along a surface.
@@ -27,9 +29,11 @@ impl Features {
     /// Those of a scene.
     pub fn of(scene: &Scene) -> Self {
         let any = |is: &dyn Fn(Finish) -> bool| scene.materials.iter().any(|m| is(m.finish));
+        let emits = |sphere: &Sphere| scene.materials[sphere.material as usize].emits();
         let glows = |m: &&Material| m.emits() && m.emission_texture.or(m.cutout).is_some();
         Self {
             spheres: !scene.spheres.is_empty(),
+            sphere_lights: scene.spheres.iter().any(emits),
             cutouts: scene.materials.iter().any(|material| material.cutout.is_some()),
             textures: scene.materials.iter().any(|material| material.texture.is_some()),
             glows: scene.materials.iter().filter(glows).count() > 0,
@@ -59,6 +63,7 @@ impl Features {
     pub fn everything() -> Self {
         Self {
             spheres: true,
+            sphere_lights: true,
             cutouts: true,
             textures: true,
             glows: true,
@@ -134,6 +139,7 @@ impl Target {
         let features = [
             none,
             Features { spheres: true, ..none },
+            Features { spheres: true, sphere_lights: true, ..none },
             Features { cutouts: true, ..none },
             Features { textures: true, ..none },
             Features { glows: true, ..none },

@@ -16,12 +16,12 @@ use crate::gpu::module::{
     FOLLOW_SPECULAR, GATHER, GATHERED_DIFFUSE, GATHERED_PHONG, GLASS, HEMISPHERE, HIT_POINT,
     INTERLEAVED, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, LIGHT_SAMPLE, LITERAL_RAY, LOBES_DIFFUSE,
     LOBES_PHONG, LOCAL_LIGHT, MIRROR, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
-    PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REMOVED, RESOLVE, ROW_CLUSTER,
-    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY,
-    SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SIGNATURE_NONE, SIGNATURE_PROBED,
-    SPOT_LIGHT, THROUGHPUT_KEPT, THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER,
-    TURN_GLASS, TURN_MIRROR, TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_KEPT, VIEW_NONE, VISIBLE,
-    VPL_DIFFUSE, VPL_GLOSSY,
+    PAIR_UNBOUNDED, PHONG, PIXELS, POINT_LIGHT, RAY, REFLECT, REFLECTANCE_ANY, REFLECTANCE_PLAIN,
+    REMOVED, RESOLVE, ROW_CLUSTER, ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE,
+    SHADE_COOPERATIVE, SHADE_GLOSSY, SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
+    SIGNATURE_NONE, SIGNATURE_PROBED, SPHERE_CONE, SPHERE_LIGHT, SPOT_LIGHT, THROUGHPUT_KEPT,
+    THROUGHPUT_NONE, TRAVERSE, TRAVERSE_PACKET, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES,
+    UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_KEPT, VIEW_NONE, VISIBLE, VPL_DIFFUSE, VPL_GLOSSY,
 };
 use crate::gpu::{CATALOGUE, GpuError, Kernel, Module, Program, TriangleRecord};
 pub use tracing::Tracing;
@@ -117,6 +117,9 @@ fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
             modules.extend([&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT]);
             modules
         }
+        LightKind::Sphere => {
+            vec![&LIGHT_SAMPLE, &CHOOSE_LIGHT, &HEMISPHERE, &SPHERE_CONE, &SPHERE_LIGHT]
+        }
         LightKind::Environment => match target.features.sky {
             Sky::Image => vec![
                 &LIGHT_SAMPLE,
@@ -148,6 +151,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
         LightKind::Spot => "direct light, spots",
         LightKind::Directional => "direct light, directional",
         LightKind::Area => "direct light, areas",
+        LightKind::Sphere => "direct light, spheres",
         LightKind::Environment => "direct light, environment",
     };
     Program::new(label, modules)
@@ -187,7 +191,10 @@ impl Emitter {
         match kind {
             LightKind::Point => Some(Self::Point),
             LightKind::Area => Some(Self::Surface),
-            LightKind::Spot | LightKind::Directional | LightKind::Environment => None,
+            LightKind::Spot
+            | LightKind::Directional
+            | LightKind::Sphere
+            | LightKind::Environment => None,
         }
     }
 
@@ -288,7 +295,7 @@ pub fn background(target: Target) -> Option<Program> {
 
 /// What the camera sees emitted in a scene.
 pub fn emitted(prepared: &Prepared) -> Vec<Program> {
-    let areas = prepared.lights.count(LightKind::Area) > 0;
+    let areas = prepared.lights.have_surfaces();
     areas
         .then(|| emit(prepared.target()))
         .into_iter()
@@ -333,7 +340,13 @@ pub fn show(target: Target, method: Method) -> Option<Program> {
         _ => return None,
     };
     let mut modules = vec![&TYPES];
-    modules.extend((method == Method::Albedo).then(|| surfaces::albedo(target.features)));
+    if method == Method::Albedo {
+        modules.push(surfaces::albedo(target.features));
+        match target.features.has_finishes() {
+            true => modules.extend([&FINISH, &REFLECTANCE_ANY]),
+            false => modules.push(&REFLECTANCE_PLAIN),
+        }
+    }
     modules.push(module);
     Some(Program::new(label, modules))
 }
@@ -345,7 +358,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     }
     let target = prepared.target_of(settings);
     let mut programs = vec![visible_points(target)];
-    programs.extend(show(target, settings.method));
+    programs.extend(show(prepared.target(), settings.method));
     if !settings.method.is_lit() {
         return programs;
     }
@@ -429,9 +442,14 @@ impl Kernels {
     }
 }
 
-/// Whether there are programs for a kind of lights: not for an environment that is not there.
+/// Whether there are programs for a kind of lights: not for an environment, or spheres, that are not
+/// there.
 fn has_kind(target: Target, kind: LightKind) -> bool {
-    kind != LightKind::Environment || target.features.sky.shines()
+    match kind {
+        LightKind::Environment => target.features.sky.shines(),
+        LightKind::Sphere => target.features.sphere_lights,
+        _ => true,
+    }
 }
 
 /// Every program that some scene or setting links, for tests and tools.

@@ -5,6 +5,7 @@ mod bounds;
 mod directional;
 mod environment;
 mod point;
+mod sphere;
 mod table;
 
 use std::f64::consts::PI;
@@ -14,7 +15,8 @@ use glam::Vec3;
 use super::merge::VirtualLight;
 use crate::bvh::Ray;
 use crate::gpu::{
-    AreaLightRecord, DirectionalLightRecord, Gpu, GpuError, PointLightRecord, SpotLightRecord,
+    AreaLightRecord, DirectionalLightRecord, Gpu, GpuError, PointLightRecord, SphereLightRecord,
+    SpotLightRecord,
 };
 use crate::sampling::SURFACE_OFFSET;
 use crate::scene::Scene;
@@ -34,14 +36,16 @@ pub enum LightKind {
     Directional,
     /// Emitting triangles.
     Area,
+    /// Emitting spheres.
+    Sphere,
     /// Light from all directions.
     Environment,
 }
 
 impl LightKind {
     /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::Point, Self::Spot, Self::Directional, Self::Area, Self::Environment];
+    pub const ALL: [Self; 6] =
+        [Self::Point, Self::Spot, Self::Directional, Self::Area, Self::Sphere, Self::Environment];
 
     /// Whether it takes one shadow ray to know what a light gives to a point: it has no extent.
     pub fn is_exact(self) -> bool {
@@ -63,6 +67,8 @@ pub struct Lights {
     pub area: Table<AreaLightRecord>,
     /// The triangles that they are, by their indices in the scene.
     pub emitters: Vec<u32>,
+    /// Emitting spheres.
+    pub sphere: Table<SphereLightRecord>,
     /// Lights without extent that shine in all directions.
     pub point: Table<PointLightRecord>,
     /// Those that shine into a cone.
@@ -91,6 +97,7 @@ impl Lights {
         Self {
             area: area::triangles(scene),
             emitters: scene.emitters().collect(),
+            sphere: sphere::spheres(scene),
             point: point::points(scene),
             spot: point::spots(scene),
             directional: directional::directional(scene, &bounds),
@@ -106,6 +113,7 @@ impl Lights {
             LightKind::Spot => self.spot.records.len(),
             LightKind::Directional => self.directional.records.len(),
             LightKind::Area => self.area.records.len(),
+            LightKind::Sphere => self.sphere.records.len(),
             LightKind::Environment => usize::from(self.environment.is_some()),
         };
         count as u32
@@ -123,6 +131,7 @@ impl Lights {
             LightKind::Spot => self.spot.power,
             LightKind::Directional => self.directional.power,
             LightKind::Area => self.area.power,
+            LightKind::Sphere => self.sphere.power,
             LightKind::Environment => self.environment.as_ref().map_or(0.0, |light| light.power),
         }
     }
@@ -144,6 +153,7 @@ impl Lights {
                 gpu.storage_of("directional lights", &self.directional.records)
             }
             LightKind::Area => gpu.storage_of("area lights", &self.area.records),
+            LightKind::Sphere => gpu.storage_of("sphere lights", &self.sphere.records),
             LightKind::Environment => {
                 let words = self.environment.as_ref().map_or(Vec::new(), EnvironmentLight::words);
                 gpu.storage_of("environment", &words)
@@ -155,6 +165,18 @@ impl Lights {
     /// and the number of its sides; 0 without area lights.
     pub fn area_density(&self) -> f32 {
         if self.area.records.is_empty() { 0.0 } else { (PI / self.area.power) as f32 }
+    }
+
+    /// The probability of an emitting sphere over its mean radiance, its sides and its squared radius;
+    /// 0 without emitting spheres.
+    pub fn sphere_density(&self) -> f32 {
+        let power = self.sphere.power;
+        if power > 0.0 { (4.0 * PI * PI / power) as f32 } else { 0.0 }
+    }
+
+    /// Whether any surface emits.
+    pub fn have_surfaces(&self) -> bool {
+        self.count(LightKind::Area) + self.count(LightKind::Sphere) > 0
     }
 
     /// `count` places on the area lights, as lights that together give the light of all.
@@ -175,8 +197,9 @@ impl Lights {
     /// a direction drawn with `u`; none if no light has any power.
     pub fn start(&self, scene: &Scene, choice: f32, u: [f32; 4]) -> Option<Start> {
         /// Area lights are first, as always: what a seed gives is to stay.
-        const ORDER: [LightKind; 5] = [
+        const ORDER: [LightKind; 6] = [
             LightKind::Area,
+            LightKind::Sphere,
             LightKind::Point,
             LightKind::Spot,
             LightKind::Directional,
@@ -212,6 +235,10 @@ impl Lights {
                 let (index, probability, rest) = self.area.index_at(at)?;
                 let light = &self.area.records[index];
                 (area::start(scene, light, self.emitters[index], rest, u), probability)
+            }
+            LightKind::Sphere => {
+                let (light, probability, rest) = self.sphere.at(at)?;
+                (sphere::start(light, rest, u), probability)
             }
             LightKind::Point => {
                 let (light, probability, _) = self.point.at(at)?;

@@ -156,7 +156,7 @@ impl Stages {
             resolve: (target.features.specular() && !edges)
                 .then(|| Stage::new(prepared, &kernels::resolve(target), &on_film))
                 .transpose()?,
-            show: kernels::show(target, settings.method).map(bind).transpose()?,
+            show: kernels::show(prepared.target(), settings.method).map(bind).transpose()?,
             emit: kernels::emitted(prepared)
                 .into_iter()
                 .filter(|_| lit)

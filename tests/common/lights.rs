@@ -94,7 +94,7 @@ pub fn direct_light(scene: &Scene, samples: u32) -> Vec<(&'static str, Frame)> {
 
 /// What light paths leave at their first hits.
 pub fn first_hits(scene: &Scene, count: u32) -> Vec<Vpl> {
-    let (bvh, lights) = (Bvh::build(&scene.triangles), Lights::of(scene));
+    let (bvh, lights) = (Bvh::of(scene), Lights::of(scene));
     let bounces = Bounces::Finite(1);
     LightPaths { scene, bvh: &bvh, lights: &lights, count, bounces, seed: 1 }.trace()
 }

@@ -1,13 +1,14 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, camera_rays, follow, kept, lights_of, sky, surfaces, view};
+use super::{Prepared, camera_rays, follow, has_kind, kept, lights_of, sky, surfaces, view};
 use crate::gpu::module::{
     BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
     FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS, NO_ROULETTE, PATH, PATH_BACKGROUND,
-    PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_EXACT,
-    PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND, PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED,
-    PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG,
-    THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
+    PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION,
+    PATH_EMISSION_ANY, PATH_EXACT, PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND, PATH_NO_EMISSION,
+    PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG, ROULETTE, SAMPLING,
+    SCATTER_DIFFUSE, SCATTER_PHONG, SPHERE_CONE, THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES,
+    VIEW_KEPT, VIEW_NONE,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, LightKind, Settings, Sky, Target};
@@ -46,7 +47,9 @@ pub fn emit(target: Target) -> Program {
 /// Shadow rays to the lights of a kind; none to a constant environment, which the next segment
 /// finds as well.
 pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
-    if kind == LightKind::Environment && target.features.sky != Sky::Image {
+    // What shines evenly from everywhere is found by the next segment alone.
+    let even = kind == LightKind::Environment && target.features.sky != Sky::Image;
+    if even || !has_kind(target, kind) {
         return None;
     }
     let mut last = lights_of(target, kind);
@@ -59,12 +62,13 @@ pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
         LightKind::Spot => "paths, spot lights",
         LightKind::Directional => "paths, directional lights",
         LightKind::Area => "paths, area lights",
+        LightKind::Sphere => "paths, sphere lights",
         LightKind::Environment => "paths, environment",
     };
     Some(Program::new(label, vertex(target, &last)))
 }
 
-/// The next segment of paths, in a scene with or without area lights.
+/// The next segment of paths, in a scene with or without surfaces that emit.
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = follow(target);
@@ -77,7 +81,11 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     if areas || sky == Sky::Image {
         last.push(&MIS);
     }
-    last.push(if areas { &PATH_EMISSION } else { &PATH_NO_EMISSION });
+    match target.features.sphere_lights {
+        _ if !areas => last.push(&PATH_NO_EMISSION),
+        true => last.extend([&SPHERE_CONE, &PATH_EMISSION_ANY]),
+        false => last.push(&PATH_EMISSION),
+    }
     match sky {
         Sky::None => last.push(&PATH_NO_BACKGROUND),
         Sky::Constant => last.extend([&ENVIRONMENT_CONSTANT, &PATH_BACKGROUND]),
@@ -111,13 +119,13 @@ pub fn seeks_light(settings: &Settings) -> bool {
 
 /// Whether paths go beyond the visible point: to bounce, or to happen upon lights.
 pub fn has_segments(prepared: &Prepared, settings: &Settings) -> bool {
-    let happens = prepared.lights.count(LightKind::Area) > 0 || prepared.features.sky.shines();
+    let happens = prepared.lights.have_surfaces() || prepared.features.sky.shines();
     settings.bounces != Bounces::Finite(0) || (happens && settings.direct != Direct::Off)
 }
 
 /// What paths see that is emitted towards the camera, in a scene.
 pub fn emitted(prepared: &Prepared) -> Vec<Program> {
-    let (target, areas) = (prepared.target(), prepared.lights.count(LightKind::Area) > 0);
+    let (target, areas) = (prepared.target(), prepared.lights.have_surfaces());
     areas.then(|| emit(target)).into_iter().chain(background(target)).collect()
 }
 
@@ -135,7 +143,7 @@ fn background(target: Target) -> Option<Program> {
 /// What a scene and settings need.
 pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     let target = prepared.target();
-    let areas = prepared.lights.count(LightKind::Area) > 0;
+    let areas = prepared.lights.have_surfaces();
     let mut programs = vec![camera(target), count(), compact(), sum()];
     programs.extend(emitted(prepared));
     if seeks_light(settings) {

@@ -3,7 +3,7 @@
 use crate::gpu::{CameraParams, GpuError, PathParams, PathRecord, PathSum, PointRecord, Program};
 use crate::render::kernels::path as programs;
 use crate::render::stages::{Named, Stage, keep};
-use crate::render::{LightKind, Prepared, Settings};
+use crate::render::{Prepared, Settings};
 
 /// Paths of a run of the queue that counts its survivors.
 pub const RUN: u32 = 64;
@@ -91,7 +91,7 @@ impl Stages {
                 }
             }
         }
-        let areas = prepared.lights.count(LightKind::Area) > 0;
+        let areas = prepared.lights.have_surfaces();
         let emit = programs::emitted(prepared).into_iter().map(bind);
         let emit = emit.collect::<Result<_, GpuError>>()?;
         let segment = programs::has_segments(prepared, settings)

@@ -1,0 +1,49 @@
+// Emitting spheres: the light by its power, a direction uniform in the cone that it fills, or, from
+// inside of it, in all directions.
+
+struct SphereLight {
+    center: vec3f,
+    radius: f32,
+    radiance: vec3f,
+    two_sided: u32,
+    before: f32,
+    probability: f32,
+    pad0: u32,
+    pad1: u32,
+}
+
+@group(0) @binding(9) var<storage, read> lights: array<SphereLight>;
+
+// A direction to the lights; densities are by solid angle.
+fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> LightSample {
+    var u = at;
+    let light = lights[choose_light(u.x, light_count)];
+    u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
+    let cone = cone_of_sphere(point, light.center, light.radius);
+    let between = light.center - point.position;
+    let distance = length(between);
+    // The cosine with the axis is 1 - fall: kept apart, as it is near 0 for a light far away.
+    let fall = u.x * cone.width;
+    let sine = sqrt(max(fall * (2.0 - fall), 0.0));
+    let turn = 2.0 * PI * u.y;
+    let axis = select(vec3f(0.0, 0.0, 1.0), between / distance, distance > 0.0);
+    let about = vec3f(sine * cos(turn), sine * sin(turn), 1.0 - fall);
+    let direction = normalize(frame_about(axis) * about);
+    let along = dot(between, direction);
+    let across = between - along * direction;
+    let half_chord = sqrt(max(light.radius * light.radius - dot(across, across), 0.0));
+    let t = along + select(-half_chord, half_chord, cone.inside);
+    let on_light = point.position + t * direction;
+    let outward = normalize(on_light - light.center);
+    // As far before the light as it starts before the point.
+    let end = on_light + outward * select(offset, -offset, cone.inside);
+    let cosine = dot(direction, point.normal);
+    return LightSample(
+        end - light_origin(point, offset),
+        1.0,
+        cosine > 0.0 && t > 0.0 && (!cone.inside || light.two_sided != 0u),
+        light.radiance,
+        cosine,
+        light.probability / (2.0 * PI * cone.width),
+    );
+}
