@@ -184,6 +184,11 @@ mod tests {
             let image = image(size);
             let scale = Vec3::new(1.0, 2.0, 0.5);
             let (all, cells) = Cells::of(&image, scale);
+            if size == [1, 1] {
+                // Black: nothing is drawn from it.
+                assert!(all == 0.0);
+                continue;
+            }
             let sequence = Sequence::new(1);
             let count = 1 << 16;
             let (mut light, mut sphere) = (0.0, 0.0);
@@ -195,10 +200,6 @@ mod tests {
             }
             light /= f64::from(count);
             sphere /= f64::from(count);
-            if size == [1, 1] {
-                assert!(light == 0.0 && all == 0.0);
-                continue;
-            }
             assert!((light / all - 1.0).abs() < 0.01, "{size:?}: {light}, not {all}");
             assert!(sphere < 1.05 * 2.0 * PI, "{size:?}: {sphere}");
         }
