@@ -7,7 +7,7 @@ mod tracing;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::literals::Literals;
-use super::{Clamp, Direct, Features, LightKind, Method, Prepared, Settings, Target};
+use super::{Clamp, Direct, Features, LightKind, Method, Plan, Prepared, Settings, Target};
 use crate::gpu::module::{
     ANTIALIAS, AREA_LIGHT, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, CORNERS, DIRECT,
     DIRECT_AREA, DIRECT_POINT, DRAW_ONE, DRAW_RESAMPLED, EMIT, EMITTER_POINT, EMITTER_SURFACE,
@@ -121,10 +121,10 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
 }
 
 /// The program for direct light from the lights of a kind in a scene.
-pub fn direct_for(prepared: &Prepared, kind: LightKind) -> Program {
+pub fn direct_for(plan: &Plan, kind: LightKind) -> Program {
     /// A lamp or two, of which all points see much the same.
     const FEW_LIGHTS: u32 = 16;
-    direct(prepared.target(), kind, prepared.lights.count(kind) > FEW_LIGHTS)
+    direct(plan.target(), kind, plan.lights.count(kind) > FEW_LIGHTS)
 }
 
 /// How many rays one invocation may trace in a dispatch, a power of two up to the 32 of a
@@ -179,8 +179,8 @@ pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program
 }
 
 /// The visibility program that suits a scene and its device.
-pub fn visibility_for(prepared: &Prepared, emitter: Emitter) -> Program {
-    visibility(prepared.target(), Tracing::of(prepared), emitter)
+pub fn visibility_for(plan: &Plan, emitter: Emitter) -> Program {
+    visibility(plan.target(), Tracing::of(plan), emitter)
 }
 
 /// Visibility of VPLs from that of their clusters.
@@ -279,11 +279,11 @@ pub fn show(target: Target, method: Method) -> Option<Program> {
 }
 
 /// The programs that a scene and settings need: the one list of what is linked.
-fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
+pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
     if settings.method == Method::Path {
-        return path::needed(prepared, settings);
+        return path::needed(plan, settings);
     }
-    let target = prepared.target_of(settings);
+    let target = plan.target_of(settings);
     let mut programs = vec![visible_points(target)];
     programs.extend(show(target, settings.method));
     if !settings.method.is_lit() {
@@ -293,19 +293,19 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         true => programs.push(antialias(target)),
         false => programs.extend(target.features.specular().then(|| resolve(target))),
     }
-    if prepared.lights.count(LightKind::Area) > 0 {
+    if plan.lights.count(LightKind::Area) > 0 {
         programs.push(emit(target));
     }
-    let kinds = || prepared.lights.kinds();
+    let kinds = || plan.kinds();
     match settings.direct {
         Direct::PerPixel => {
-            programs.extend(kinds().map(|kind| direct_for(prepared, kind)));
+            programs.extend(kinds().map(|kind| direct_for(plan, kind)));
             programs.push(reflect(target));
         }
         Direct::Clustered => {
             for emitter in kinds().map(Emitter::of) {
                 let shade = shade(target, false, settings.sharing(), emitter);
-                programs.extend([visibility_for(prepared, emitter), shade]);
+                programs.extend([visibility_for(plan, emitter), shade]);
             }
             programs.push(reflect(target));
         }
@@ -314,7 +314,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     if settings.traces_light_paths() {
         let bounded = settings.clamp != Clamp::Off;
         programs.extend([
-            visibility_for(prepared, Emitter::Surface),
+            visibility_for(plan, Emitter::Surface),
             shade(target, bounded, settings.sharing(), Emitter::Surface),
             reflect(target),
         ]);
@@ -359,18 +359,32 @@ impl Kernels {
     /// Features that no module linked so far serves.
     pub(super) fn left_out(&self) -> Vec<&'static str> {
         let kernels = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let linked: Vec<_> = kernels
-            .iter()
-            .flat_map(|(_, kernel)| kernel.modules.iter().filter_map(|module| module.feature))
-            .collect();
-        let mut left_out = Vec::new();
-        for feature in CATALOGUE.iter().filter_map(|module| module.feature) {
-            if !linked.contains(&feature) && !left_out.contains(&feature) {
-                left_out.push(feature);
-            }
-        }
-        left_out
+        features_without(kernels.iter().map(|(program, _)| program))
     }
+}
+
+/// Features that some module of the programs serves, in the order of the catalogue.
+pub fn features_of<'a>(programs: impl Iterator<Item = &'a Program>) -> Vec<&'static str> {
+    let served = |program: &'a Program| program.modules.iter().filter_map(|module| module.feature);
+    let linked: Vec<_> = programs.flat_map(served).collect();
+    features().into_iter().filter(|feature| linked.contains(feature)).collect()
+}
+
+/// Features that no module of the programs serves, in the order of the catalogue.
+pub fn features_without<'a>(programs: impl Iterator<Item = &'a Program>) -> Vec<&'static str> {
+    let linked = features_of(programs);
+    features().into_iter().filter(|feature| !linked.contains(feature)).collect()
+}
+
+/// All features, each once, in the order of the catalogue.
+fn features() -> Vec<&'static str> {
+    let mut features = Vec::new();
+    for feature in CATALOGUE.iter().filter_map(|module| module.feature) {
+        if !features.contains(&feature) {
+            features.push(feature);
+        }
+    }
+    features
 }
 
 /// Every program that some scene or setting links, for tests and tools.

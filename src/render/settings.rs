@@ -137,6 +137,9 @@ pub struct Settings {
     /// A pixel gathers one of s² subsets of the VPLs, up to [`Settings::MOST_INTERLEAVE`]²; 1 is
     /// all.
     pub interleave: u32,
+    /// What the scene does not need is linked, too: for measuring what leaving it out saves. A
+    /// scene is prepared with or without it, whatever frames say.
+    pub link_everything: bool,
 }
 
 /// K-means of the visible points and of the VPLs.
@@ -273,6 +276,7 @@ impl Settings {
             edge_samples: 16,
             clustering: Clustering::default(),
             interleave: if method.clusters_points() { 4 } else { 1 },
+            link_everything: false,
         }
     }
 }

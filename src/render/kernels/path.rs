@@ -1,6 +1,6 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, camera_rays, follow, kept, surfaces, view};
+use super::{Plan, camera_rays, follow, kept, surfaces, view};
 use crate::gpu::module::{
     AREA_LIGHT, CHOOSE_LIGHT, EMIT, FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS,
     NO_ROULETTE, PATH, PATH_AREA, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_LIGHT,
@@ -97,13 +97,13 @@ pub fn has_segments(settings: &Settings, areas: bool) -> bool {
 }
 
 /// What a scene and settings need.
-pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
-    let target = prepared.target();
-    let areas = prepared.lights.count(LightKind::Area) > 0;
+pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
+    let target = plan.target();
+    let areas = plan.lights.count(LightKind::Area) > 0;
     let mut programs = vec![camera(target), count(), compact(), sum()];
     programs.extend(areas.then(|| emit(target)));
     if seeks_light(settings) {
-        programs.extend(prepared.lights.kinds().map(|kind| next_event(target, kind)));
+        programs.extend(plan.kinds().map(|kind| next_event(target, kind)));
     }
     let segments = has_segments(settings, areas);
     programs.extend(segments.then(|| segment(target, settings.bounces, areas)));
