@@ -63,7 +63,9 @@ fn found<'a>(programs: &[Program], words: &[&'a str]) -> BTreeSet<&'a str> {
     }
     // Directions are drawn from hemispheres everywhere, and whatever traces rays is told the number
     // of nodes.
-    let text = text.to_lowercase().replace("hemisphere", "").replace("node_count", "");
+    let harmless = ["hemisphere", "node_count", "params.nodes", "nodes: u32"];
+    let lean = |text: String, word: &&str| text.replace(*word, "");
+    let text = harmless.iter().fold(text.to_lowercase(), lean);
     words.iter().copied().filter(|word| text.contains(word)).collect()
 }
 
@@ -149,18 +151,17 @@ fn image(method: Method, link_everything: bool) -> Image {
     frame(&prepared, &camera, &settings, 3, &|_, _| {}).expect("it renders").image
 }
 
-/// Rays that graze an edge may meet a triangle through the hierarchy, and not as it is written into
-/// the shader: some pixels differ, by a shadow ray or a path, and the rest by rounding alone.
+/// A ray that grazes an edge may meet a triangle through the hierarchy and miss it as it is written
+/// into the shader; all other pixels differ by rounding alone.
 #[test]
 fn linking_everything_leaves_the_image_as_it_is() {
-    const GRAZED: usize = 12;
+    const GRAZED: usize = 3;
     for method in [Method::Both, Method::Vpl, Method::Path] {
         let [lean, all] = [false, true].map(|everything| image(method, everything));
         let differs = |(a, b): &(&[f32; 3], &[f32; 3])| {
             a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 1e-4 * (a.abs() + b.abs() + 0.1))
         };
         let different = lean.pixels.iter().zip(&all.pixels).filter(differs).count();
-        println!("{method:?}: {different} pixels differ");
         assert!(different <= GRAZED, "{method:?}: {different} of 2304 pixels differ");
         let sum = |image: &Image| image.pixels.as_flattened().iter().map(|&x| f64::from(x)).sum();
         let [one, two]: [f64; 2] = [&lean, &all].map(sum);

@@ -123,7 +123,7 @@ pub mod module {
         SEEN_HARD = "seen_hard";
         SEEN_FUZZY = "seen_fuzzy" for "fuzzy clusters";
         ROW_POINT = "row_point";
-        ROW_CLUSTER = "row_cluster" for "clusters of visible points";
+        ROW_CLUSTER = "row_cluster" for "hard clusters";
         EMITTER_SURFACE = "emitter_surface" for "virtual point lights";
         EMITTER_POINT = "emitter_point" for "point lights";
         GATHER = "gather" for "gathering of lights";

@@ -135,8 +135,12 @@ fn bounds(scene: &Scene) -> Option<[DVec3; 2]> {
         .reduce(|[low, high], [corner, _]| [low.min(corner), high.max(corner)])
 }
 
+/// What rounding to f32 leaves of a coordinate that is 0 in the file is 0 again.
 fn to_file_units(units: Units, point: Vec3) -> DVec3 {
-    units.center + units.scale * point.as_dvec3()
+    const ROUNDING: f64 = 1e-6;
+    let place = units.center + units.scale * point.as_dvec3();
+    let rounded = |x: f64| if x.abs() < ROUNDING * units.scale { 0.0 } else { x };
+    DVec3::from_array(place.to_array().map(rounded))
 }
 
 /// The scene in words.
