@@ -17,9 +17,9 @@ struct PathParams {
     light_density: f32,
     // 1 if the environment that the next segment escapes to counts, else 0.
     background: f32,
-    // The probability of an emitting sphere over its mean radiance, its sides and its squared
+    // The probability of a light that is drawn by solid angle, over its mean radiance, its sides and its squared
     // radius; 0 if emission that the next segment finds does not count.
-    sphere_density: f32,
+    solid_density: f32,
     pad0: u32,
     pad1: u32,
 }

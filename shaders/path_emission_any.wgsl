@@ -19,7 +19,7 @@ fn find_emission(
     // Densities of the two ways to get here, by area or, of spheres, by solid angle: over the
     // lights by power, and by direction.
     let radius = shape.b.x;
-    let probability = params.sphere_density * mean * sides * radius * radius;
+    let probability = params.solid_density * mean * sides * radius * radius;
     let cone = cone_of_sphere(start, shape.a, radius);
     let drawn = select(
         params.light_density * mean * sides,

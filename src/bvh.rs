@@ -5,6 +5,7 @@
 //! node's skip pointer (Smits, "Efficiency Issues for Ray Tracing", 1998). The WGSL twin is
 //! `shaders/traverse.wgsl`; a test holds the two against each other.
 
+mod quality;
 mod shape;
 mod traverse;
 
@@ -19,6 +20,7 @@ use crate::gpu::{NodeRecord, TriangleRecord};
 use crate::scene::{Scene, Sphere, Triangle};
 use shape::Cutouts;
 
+pub use quality::Quality;
 pub use traverse::{Hit, Ray};
 
 /// Leaves hold at most so many shapes; [`NodeRecord::leaf`] has room for seven.

@@ -12,6 +12,7 @@ pub mod literals;
 mod merge;
 mod path;
 mod picture;
+mod plan;
 pub mod scatter;
 mod settings;
 mod stages;
@@ -22,48 +23,39 @@ mod visibility;
 mod visible;
 mod vpl;
 
+use std::ops::Deref;
 use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
-use crate::bvh::Bvh;
-use crate::gpu::{Gpu, GpuError, PassTime, Program};
+use crate::gpu::{Gpu, GpuError, PassTime};
 use crate::image::Image;
 use crate::scene::{Camera, Environment, Scene};
 
 pub use features::{Features, Sky, Target};
 pub use kernels::{Kernels, all_programs};
 pub use light::{LightKind, Lights};
+pub use plan::Plan;
 pub use settings::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
 pub use vpl::{LightPaths, Vpl};
 
 use gathers::{Clustered, Gathers};
 use light_set::LightSet;
-use literals::Literals;
 pub use merge::{Gloss, VirtualLight, VplClusters};
 use path::PathTracer;
 use stages::Named;
 use tile::TileRenderer;
 
-/// Everything that does not change from frame to frame: scene, BVH, lights, device, kernels
-/// and the buffers of the scene.
+/// Everything that does not change from frame to frame: scene, BVH and lights, which are the
+/// [`Plan`], and device, kernels and the buffers of the scene.
 #[derive(Debug)]
 pub struct Prepared {
-    /// The scene.
-    pub scene: Scene,
+    /// What is known without the device.
+    plan: Plan,
     /// The device.
     pub gpu: Gpu,
-    /// The hierarchy over the scene's triangles and spheres.
-    pub bvh: Bvh,
-    /// The light sources.
-    pub lights: Lights,
-    /// What is linked for the scene.
-    pub features: Features,
-    /// Time spent on building the BVH.
-    pub bvh_time: Duration,
     /// Time spent on linking and compiling shaders, and on uploading the scene.
     pub pipelines_time: Duration,
-    literals: Option<Literals>,
     kernels: Kernels,
     tables: Vec<tables::Table>,
     light_tables: Vec<(LightKind, wgpu::Buffer)>,
@@ -77,58 +69,30 @@ impl Prepared {
     /// # Errors
     /// The device fails, or the scene does not fit it.
     pub fn new(gpu: Gpu, scene: Scene, settings: &Settings) -> Result<Self, GpuError> {
-        let features = Features::of(&scene);
-        tables::check(&gpu, &scene, features)?;
+        tables::check(&gpu, &scene, Plan::features(&scene, settings))?;
         let start = Instant::now();
-        let bvh = Bvh::of(&scene);
-        let bvh_time = start.elapsed();
-
-        let start = Instant::now();
-        let lights = Lights::of(&scene);
+        let plan = Plan::new(scene, settings, gpu.has_subgroups());
+        let lights = &plan.lights;
         let mut prepared = Self {
-            tables: tables::upload(&gpu, &scene, &bvh, features)?,
-            light_tables: lights
-                .kinds()
+            tables: tables::upload(&gpu, &plan.scene, &plan.bvh, plan.features)?,
+            light_tables: plan
+                .kinds_with_tables()
                 .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
                 .collect::<Result<_, GpuError>>()?,
-            environment_texels: match &scene.environment {
-                Some(Environment { image: Some(image), .. }) if features.sky.shines() => {
+            environment_texels: match &plan.scene.environment {
+                Some(Environment { image: Some(image), .. }) if plan.features.sky.shines() => {
                     Some(gpu.storage_of("environment image", &image.texels)?)
                 }
                 _ => None,
             },
-            literals: Literals::of(&scene, &bvh),
-            features,
             kernels: Kernels::default(),
-            bvh_time,
             pipelines_time: Duration::ZERO,
-            lights,
-            bvh,
             gpu,
-            scene,
+            plan,
         };
         prepared.kernels.prepare(&prepared, settings)?;
-        prepared.pipelines_time = start.elapsed();
+        prepared.pipelines_time = start.elapsed().saturating_sub(prepared.bvh_time);
         Ok(prepared)
-    }
-
-    /// What programs are linked for.
-    pub fn target(&self) -> Target {
-        let tracing = self.literals.as_ref().map(|literals| literals.suit_packets);
-        Target {
-            subgroups: self.gpu.has_subgroups(),
-            features: self.features,
-            literals: tracing.is_some(),
-            literal_packets: tracing == Some(true),
-        }
-    }
-
-    /// A program with what is written for the scene.
-    fn complete(&self, program: Program) -> Program {
-        match &self.literals {
-            Some(literals) => literals.complete(program),
-            None => program,
-        }
     }
 
     /// The buffers of the environment, by name.
@@ -139,18 +103,24 @@ impl Prepared {
         table.into_iter().chain(texels)
     }
 
-    /// What programs are linked for in a frame: one without light shows the first surfaces, and
-    /// needs nothing of how they reflect.
-    pub fn target_of(&self, settings: &Settings) -> Target {
-        let lit = settings.method.is_lit();
-        let plain = Features { phong: false, mirror: false, glass: false, ..self.features };
-        let features = if lit { self.features } else { plain };
-        Target { features, ..self.target() }
+    /// Bytes of the scene's buffers on the device.
+    pub fn table_bytes(&self) -> u64 {
+        let lights = self.light_tables.iter().map(|(_, buffer)| buffer);
+        let tables = self.tables.iter().map(|(_, buffer)| buffer).chain(lights);
+        tables.chain(&self.environment_texels).map(wgpu::Buffer::size).sum()
     }
 
     /// Features that no shader module linked so far serves.
     pub fn left_out(&self) -> Vec<&'static str> {
         self.kernels.left_out()
+    }
+}
+
+impl Deref for Prepared {
+    type Target = Plan;
+
+    fn deref(&self) -> &Plan {
+        &self.plan
     }
 }
 

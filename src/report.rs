@@ -26,7 +26,7 @@ pub struct Report {
     pub adapter: AdapterInfo,
     pub triangles: usize,
     pub spheres: usize,
-    /// Of all kinds; each emitting triangle is one.
+    /// Of all kinds; each triangle and sphere that emits is one.
     pub lights: usize,
     pub visible_points: u64,
     pub light_paths: u32,
@@ -209,7 +209,7 @@ impl Report {
             adapter: prepared.gpu.info.clone(),
             triangles: scene.triangles.len(),
             spheres: scene.spheres.len(),
-            lights: prepared.lights.all(),
+            lights: scene.light_count(),
             visible_points: counts.visible_points,
             light_paths: if traces_paths { settings.light_paths } else { 0 },
             bounces: match settings.bounces {

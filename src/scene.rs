@@ -264,6 +264,23 @@ impl Scene {
             || self.spheres.iter().any(sphere)
     }
 
+    /// Whether light meets mirrors or glass.
+    pub fn has_specular(&self) -> bool {
+        let specular = |material: u32| self.materials[material as usize].finish.is_specular();
+        self.triangles.iter().any(|triangle| specular(triangle.material))
+            || self.spheres.iter().any(|sphere| specular(sphere.material))
+    }
+
+    /// How many light sources there are; each triangle and sphere that emits is one.
+    pub fn light_count(&self) -> usize {
+        let emits = |sphere: &&Sphere| self.materials[sphere.material as usize].emits();
+        self.point_lights.len()
+            + self.directional_lights.len()
+            + usize::from(self.environment.is_some())
+            + self.emitters().count()
+            + self.spheres.iter().filter(emits).count()
+    }
+
     /// Indices of the triangles that emit, in order.
     pub fn emitters(&self) -> impl Iterator<Item = u32> + '_ {
         (0u32..).zip(&self.triangles).filter_map(|(i, triangle)| {

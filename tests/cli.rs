@@ -218,6 +218,7 @@ fn help_and_version_go_to_standard_output() {
     }
     let help = String::from_utf8(run("render --help").succeeds().stdout).unwrap();
     assert!(!help.contains("--compensate"), "what is not supported yet is not offered");
+    assert!(!help.contains("--link-everything"), "it is for measuring");
 }
 
 #[cfg(unix)]
@@ -328,11 +329,35 @@ fn the_report_has_every_key() {
     assert_eq!((&report["width"], &report["height"]), (&16.into(), &12.into()));
     assert_eq!((&report["seed"], &report["threads"]), (&9.into(), &2.into()));
     assert_eq!(report["light_paths"], 20);
+    let counts = ["triangles", "spheres", "lights"].map(|key| report[key].as_u64());
+    assert_eq!(counts, [Some(38), Some(0), Some(2)]);
     assert_eq!(report["bounces"], 2);
     assert!(report["vpls"].as_u64() > Some(0), "{report}");
     let phases: f64 = report["phases"].as_object().unwrap().values().flat_map(Value::as_f64).sum();
     let total = report["seconds"]["total"].as_f64().unwrap();
     assert!(phases > 0.0 && phases <= total, "phases overlap: {phases} s of {total} s");
+}
+
+/// That VPLs show no caustics changes no image that they could make: it is told, and no error.
+#[test]
+fn caustics_are_noted_and_pass_strictness() {
+    let scene = "[camera]\nposition = [0, 0, -3]\ntarget = [0, 0, 0]\nfov = 40\n\
+                 [[sphere]]\ncenter = [0, 0, 0]\nradius = 0.5\nmaterial = \"glass\"\n\
+                 [[sphere]]\ncenter = [0, -9, 0]\nradius = 8\nmaterial = \"floor\"\n\
+                 [materials.glass]\ntype = \"glass\"\n[materials.floor]\nalbedo = [1, 1, 1]\n\
+                 [[light]]\ntype = \"point\"\nposition = [0, 4, 0]\nintensity = [9, 9, 9]\n";
+    for (method, says) in [("both", "not in the image of method both"), ("path", "by paths")] {
+        let line = format!("render a.toml --size 16x12 --vpls 50 --method {method} -o a.png");
+        let run = run(&format!("{line} --strict --report r.json"));
+        fs::write(run.path("a.toml"), scene).expect("it can be written");
+        let stderr = run.succeeds().stderr;
+        let told: Vec<_> = stderr.lines().filter(|line| line.contains("caustic")).collect();
+        assert_eq!(told.len(), 1, "{stderr}");
+        assert!(told[0].starts_with("warning: a.toml: ") && told[0].contains(says), "{stderr}");
+        let report: Value = serde_json::from_slice(&fs::read(run.path("r.json")).unwrap()).unwrap();
+        assert!(report["warnings"].to_string().contains(says), "{report}");
+        assert_eq!(report["spheres"], 2);
+    }
 }
 
 #[test]

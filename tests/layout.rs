@@ -122,7 +122,7 @@ fn records() -> Vec<Record> {
         record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),
         record!(PathParams as "PathParams" {
             paths, bounce, first_sample, samples, lights, nodes, offset, light_density,
-            background, sphere_density, pad,
+            background, solid_density, pad,
         }),
         record!(InterleaveParams as "InterleaveParams" {
             width, height, s, rotation, subset_width, subset_points, points, pass_number,

@@ -143,7 +143,7 @@ fn only_what_paths_need_is_linked() {
     let settings = settings(2, Bounces::Finite(1));
     let prepared = prepare(room(1.0, DVec3::ZERO, [8, 8]).scene(), &settings);
     let left_out = prepared.left_out();
-    for feature in ["indirect light", "clamp", "antialiasing of edges", "Russian roulette"] {
+    for feature in ["virtual point lights", "clamp", "antialiasing of edges", "Russian roulette"] {
         assert!(left_out.contains(&feature), "{feature} is linked: {left_out:?}");
     }
     for feature in ["path tracing", "area lights", "point lights"] {

@@ -37,7 +37,8 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     let mut phases = RunPhases::default();
     let mut warnings = Warnings::new(args.quiet, args.strict);
     let mut scene = timed(&mut phases.load, || Scene::load(&args.scene))?;
-    for warning in std::mem::take(&mut scene.warnings) {
+    let caustics = warnings::caustics(&scene, &args.settings());
+    for warning in std::mem::take(&mut scene.warnings).into_iter().chain(caustics) {
         warnings.add(warning)?;
     }
     let exposure = args.exposure.unwrap_or(scene.exposure);

@@ -455,7 +455,7 @@ pub struct PathParams {
     pub background: f32,
     /// The probability of an emitting sphere over its mean radiance, its sides and its squared
     /// radius; 0 if emission that the next segment finds does not count.
-    pub sphere_density: f32,
+    pub solid_density: f32,
     /// Unused.
     pub pad: [u32; 2],
 }

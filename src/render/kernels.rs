@@ -7,7 +7,7 @@ mod tracing;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::literals::Literals;
-use super::{Clamp, Direct, Features, LightKind, Method, Prepared, Settings, Sky, Target};
+use super::{Clamp, Direct, Features, LightKind, Method, Plan, Prepared, Settings, Sky, Target};
 use crate::gpu::module::{
     ANTIALIAS, AREA_LIGHT, BACKGROUND, BITS, CAMERA, CHOOSE_LIGHT, COLLECT, COMBINE, CORNERS,
     DIRECT, DIRECT_EXACT, DIRECT_SAMPLED, DIRECTIONAL_LIGHT, DRAW_ONE, DRAW_RESAMPLED, EMIT,
@@ -158,10 +158,10 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
 }
 
 /// The program for direct light from the lights of a kind in a scene.
-pub fn direct_for(prepared: &Prepared, kind: LightKind) -> Program {
+pub fn direct_for(plan: &Plan, kind: LightKind) -> Program {
     /// A lamp or two, of which all points see much the same.
     const FEW_LIGHTS: u32 = 16;
-    direct(prepared.target(), kind, prepared.lights.count(kind) > FEW_LIGHTS)
+    direct(plan.target(), kind, plan.lights.count(kind) > FEW_LIGHTS)
 }
 
 /// How many rays one invocation may trace in a dispatch, a power of two up to the 32 of a
@@ -220,8 +220,8 @@ pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program
 }
 
 /// The visibility program that suits a scene and its device.
-pub fn visibility_for(prepared: &Prepared, emitter: Emitter) -> Program {
-    visibility(prepared.target(), Tracing::of(prepared), emitter)
+pub fn visibility_for(plan: &Plan, emitter: Emitter) -> Program {
+    visibility(plan.target(), Tracing::of(plan), emitter)
 }
 
 /// Visibility of VPLs from that of their clusters.
@@ -294,13 +294,9 @@ pub fn background(target: Target) -> Option<Program> {
 }
 
 /// What the camera sees emitted in a scene.
-pub fn emitted(prepared: &Prepared) -> Vec<Program> {
-    let areas = prepared.lights.have_surfaces();
-    areas
-        .then(|| emit(prepared.target()))
-        .into_iter()
-        .chain(background(prepared.target()))
-        .collect()
+pub fn emitted(plan: &Plan) -> Vec<Program> {
+    let areas = plan.lights.have_surfaces();
+    areas.then(|| emit(plan.target())).into_iter().chain(background(plan.target())).collect()
 }
 
 /// The radiance of the environment, if there is one.
@@ -352,13 +348,13 @@ pub fn show(target: Target, method: Method) -> Option<Program> {
 }
 
 /// The programs that a scene and settings need: the one list of what is linked.
-fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
+pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
     if settings.method == Method::Path {
-        return path::needed(prepared, settings);
+        return path::needed(plan, settings);
     }
-    let target = prepared.target_of(settings);
+    let target = plan.target_of(settings);
     let mut programs = vec![visible_points(target)];
-    programs.extend(show(prepared.target(), settings.method));
+    programs.extend(show(plan.target(), settings.method));
     if !settings.method.is_lit() {
         return programs;
     }
@@ -366,16 +362,15 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
         true => programs.push(antialias(target)),
         false => programs.extend(target.features.specular().then(|| resolve(target))),
     }
-    programs.extend(emitted(prepared));
-    let kinds = || prepared.lights.kinds();
+    programs.extend(emitted(plan));
     if settings.direct != Direct::Off {
-        for kind in kinds() {
+        for kind in plan.kinds() {
             match Emitter::of(kind).filter(|_| settings.direct == Direct::Clustered) {
                 Some(emitter) => {
                     let shade = shade(target, false, settings.sharing(), emitter);
-                    programs.extend([visibility_for(prepared, emitter), shade]);
+                    programs.extend([visibility_for(plan, emitter), shade]);
                 }
-                None => programs.push(direct_for(prepared, kind)),
+                None => programs.push(direct_for(plan, kind)),
             }
         }
         programs.push(reflect(target));
@@ -383,7 +378,7 @@ fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
     if settings.traces_light_paths() {
         let bounded = settings.clamp != Clamp::Off;
         programs.extend([
-            visibility_for(prepared, Emitter::Surface),
+            visibility_for(plan, Emitter::Surface),
             shade(target, bounded, settings.sharing(), Emitter::Surface),
             reflect(target),
         ]);
@@ -428,17 +423,7 @@ impl Kernels {
     /// Features that no module linked so far serves.
     pub(super) fn left_out(&self) -> Vec<&'static str> {
         let kernels = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let linked: Vec<_> = kernels
-            .iter()
-            .flat_map(|(_, kernel)| kernel.modules.iter().filter_map(|module| module.feature))
-            .collect();
-        let mut left_out = Vec::new();
-        for feature in CATALOGUE.iter().filter_map(|module| module.feature) {
-            if !linked.contains(&feature) && !left_out.contains(&feature) {
-                left_out.push(feature);
-            }
-        }
-        left_out
+        features_without(kernels.iter().map(|(program, _)| program))
     }
 }
 
@@ -450,6 +435,30 @@ fn has_kind(target: Target, kind: LightKind) -> bool {
         LightKind::Sphere => target.features.sphere_lights,
         _ => true,
     }
+}
+
+/// Features that some module of the programs serves, in the order of the catalogue.
+pub fn features_of<'a>(programs: impl Iterator<Item = &'a Program>) -> Vec<&'static str> {
+    let served = |program: &'a Program| program.modules.iter().filter_map(|module| module.feature);
+    let linked: Vec<_> = programs.flat_map(served).collect();
+    features().into_iter().filter(|feature| linked.contains(feature)).collect()
+}
+
+/// Features that no module of the programs serves, in the order of the catalogue.
+pub fn features_without<'a>(programs: impl Iterator<Item = &'a Program>) -> Vec<&'static str> {
+    let linked = features_of(programs);
+    features().into_iter().filter(|feature| !linked.contains(feature)).collect()
+}
+
+/// All features, each once, in the order of the catalogue.
+fn features() -> Vec<&'static str> {
+    let mut features = Vec::new();
+    for feature in CATALOGUE.iter().filter_map(|module| module.feature) {
+        if !features.contains(&feature) {
+            features.push(feature);
+        }
+    }
+    features
 }
 
 /// Every program that some scene or setting links, for tests and tools.

@@ -169,7 +169,7 @@ impl Lights {
 
     /// The probability of an emitting sphere over its mean radiance, its sides and its squared radius;
     /// 0 without emitting spheres.
-    pub fn sphere_density(&self) -> f32 {
+    pub fn solid_density(&self) -> f32 {
         let power = self.sphere.power;
         if power > 0.0 { (4.0 * PI * PI / power) as f32 } else { 0.0 }
     }

@@ -137,7 +137,7 @@ impl<'a> PathTracer<'a> {
             offset: SURFACE_OFFSET,
             light_density: 0.0,
             background: 0.0,
-            sphere_density: 0.0,
+            solid_density: 0.0,
             pad: [0; 2],
         };
         let groups = [wave.paths().div_ceil(64), 1];
@@ -152,8 +152,7 @@ impl<'a> PathTracer<'a> {
             // The light of a vertex: from shadow rays, and from what the next segment happens upon.
             let is_lit = params.bounce > 0 || self.settings.direct != Direct::Off;
             params.light_density = if is_lit { self.prepared.lights.area_density() } else { 0.0 };
-            params.sphere_density =
-                if is_lit { self.prepared.lights.sphere_density() } else { 0.0 };
+            params.solid_density = if is_lit { self.prepared.lights.solid_density() } else { 0.0 };
             params.background =
                 if is_lit && self.prepared.features.sky.shines() { 1.0 } else { 0.0 };
             if is_lit {
@@ -162,7 +161,7 @@ impl<'a> PathTracer<'a> {
                 *(if first { &mut phases.direct } else { &mut phases.visibility }) += time;
             }
             let last = self.settings.bounces == Bounces::Finite(params.bounce);
-            let finds = params.light_density.max(params.sphere_density).max(params.background);
+            let finds = params.light_density.max(params.solid_density).max(params.background);
             let goes_on = !last || finds > 0.0;
             let Some(segment) = stages.segment.as_ref().filter(|_| goes_on) else { break };
             let groups = [params.paths.div_ceil(64), 1];

@@ -139,6 +139,9 @@ pub struct Settings {
     /// A pixel gathers one of s² subsets of the VPLs, up to [`Settings::MOST_INTERLEAVE`]²; 1 is
     /// all.
     pub interleave: u32,
+    /// What the scene does not need is linked, too: for measuring what leaving it out saves. A
+    /// scene is prepared with or without it, whatever frames say.
+    pub link_everything: bool,
 }
 
 /// K-means of the visible points and of the VPLs.
@@ -275,6 +278,7 @@ impl Settings {
             edge_samples: 16,
             clustering: Clustering::default(),
             interleave: if method.clusters_points() { 4 } else { 1 },
+            link_everything: false,
         }
     }
 }

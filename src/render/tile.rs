@@ -209,6 +209,9 @@ impl<'a> TileRenderer<'a> {
         let mut time = Duration::ZERO;
         for (kind, stage) in &self.stages.direct {
             let lights = self.prepared.lights.count(*kind);
+            if lights == 0 {
+                continue;
+            }
             let rays = match kind.is_exact() {
                 true => lights,
                 false => self.settings.light_samples_per_point(),

@@ -120,6 +120,10 @@ pub struct RenderArgs {
     #[arg(long, conflicts_with = "quiet")]
     pub verbose: bool,
 
+    /// Link every feature, whatever the scene has: for measuring what leaving out saves
+    #[arg(long, hide = true)]
+    pub link_everything: bool,
+
     #[command(flatten)]
     pub later: LaterArgs,
 }
@@ -170,6 +174,7 @@ impl RenderArgs {
             edge_samples: self.edge_samples,
             clustering: self.clustering.settings(),
             interleave: self.interleave.unwrap_or(defaults.interleave),
+            link_everything: self.link_everything,
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::cli::console;
 use crate::error::Error;
-use crate::render::{Frame, Settings};
-use crate::scene::Warning;
+use crate::render::{Bounces, Frame, Method, Settings};
+use crate::scene::{Scene, Warning};
 
 /// The warnings of a run; under `--strict` those that change the image end it.
 #[derive(Debug)]
@@ -47,6 +47,32 @@ impl Warnings {
     }
 }
 
+/// What of the light that mirrors and glass turn onto surfaces the method does not find.
+pub fn caustics(scene: &Scene, settings: &Settings) -> Option<Warning> {
+    if !scene.has_specular() || settings.bounces == Bounces::Finite(0) {
+        return None;
+    }
+    // Paths find a light by running into it.
+    let points = scene.point_lights.len() + scene.directional_lights.len();
+    let extended = scene.light_count() > points;
+    let (name, method) = (&scene.name, settings.method.name());
+    if settings.method.is_indirect() {
+        let path = match extended {
+            true => "--method path has it",
+            false => "nor has --method path, as the lights have no extent",
+        };
+        let what = "light that reaches a surface only through mirror or glass (a caustic seen \
+                    directly) is not in the image of method";
+        return Some(Warning::note(format!("{name}: {what} {method}; {path}")));
+    }
+    (settings.method == Method::Path && points > 0).then(|| {
+        let what = "light of point, spot and directional lights that reaches a surface only \
+                    through mirror or glass (a caustic) cannot be found by paths from the camera; \
+                    give the lights extent";
+        Warning::note(format!("{name}: {what}"))
+    })
+}
+
 fn missing_vpls(frame: &Frame, settings: &Settings) -> Option<String> {
     let wanted = settings.traces_light_paths();
     (wanted && frame.counts.vpls == 0).then(|| {
@@ -68,8 +94,8 @@ fn nonfinite_pixels(frame: &Frame) -> Option<String> {
 mod tests {
     use super::*;
     use crate::image::Image;
-    use crate::render::{Bounces, Method};
     use crate::render::{Counts, Phases};
+    use crate::scene::{Finish, PointLight};
 
     fn frame(vpls: u64, pixel: f32) -> Frame {
         let image = Image { width: 2, height: 1, pixels: vec![[0.0; 3], [0.0, pixel, 0.0]] };
@@ -104,6 +130,38 @@ mod tests {
     fn a_pixel_that_is_not_finite_is_located() {
         let messages = messages(&frame(1, f32::NAN), &Settings::default());
         assert_eq!(messages, ["1 pixels are not finite, the first at column 1, row 0"]);
+    }
+
+    fn told(scene: &Scene, method: Method) -> Option<String> {
+        let warning = caustics(scene, &Settings::of(method))?;
+        assert!(!warning.changes_image, "{}", warning.message);
+        Some(warning.message)
+    }
+
+    #[test]
+    fn caustics_that_a_method_does_not_find_are_told() {
+        let vpls = [Method::Vpl, Method::Vplc, Method::Vpc, Method::Both];
+        let mut scene = Scene::load("builtin:cornell").unwrap();
+        assert!(vpls.iter().all(|method| told(&scene, *method).is_none()));
+
+        scene.materials[0].finish = Finish::Mirror { specular: glam::Vec3::ONE };
+        for method in vpls {
+            let message = told(&scene, method).unwrap();
+            let ends =
+                format!("not in the image of method {}; --method path has it", method.name());
+            assert!(message.starts_with("builtin:cornell: light"), "{message}");
+            assert!(message.ends_with(&ends), "{message}");
+        }
+        assert!(told(&scene, Method::Path).is_none(), "paths run into the lamp");
+        assert!(told(&scene, Method::Normal).is_none());
+        let direct = Settings { bounces: Bounces::Finite(0), ..Settings::default() };
+        assert!(caustics(&scene, &direct).is_none(), "no indirect light is asked for");
+
+        let [position, intensity] = [glam::Vec3::ZERO, glam::Vec3::ONE];
+        scene.point_lights.push(PointLight { position, intensity, cone: None });
+        assert!(told(&scene, Method::Path).unwrap().contains("cannot be found by paths"));
+        scene.materials.iter_mut().for_each(|material| material.emission = glam::Vec3::ZERO);
+        assert!(told(&scene, Method::Both).unwrap().ends_with("have no extent"));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The programs of the path tracer.
 
-use super::{Prepared, camera_rays, follow, has_kind, kept, lights_of, sky, surfaces, view};
+use super::{Plan, camera_rays, follow, has_kind, kept, lights_of, sky, surfaces, view};
 use crate::gpu::module::{
     BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
     FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS, NO_ROULETTE, PATH, PATH_BACKGROUND,
@@ -118,14 +118,14 @@ pub fn seeks_light(settings: &Settings) -> bool {
 }
 
 /// Whether paths go beyond the visible point: to bounce, or to happen upon lights.
-pub fn has_segments(prepared: &Prepared, settings: &Settings) -> bool {
-    let happens = prepared.lights.have_surfaces() || prepared.features.sky.shines();
+pub fn has_segments(plan: &Plan, settings: &Settings) -> bool {
+    let happens = plan.lights.have_surfaces() || plan.features.sky.shines();
     settings.bounces != Bounces::Finite(0) || (happens && settings.direct != Direct::Off)
 }
 
 /// What paths see that is emitted towards the camera, in a scene.
-pub fn emitted(prepared: &Prepared) -> Vec<Program> {
-    let (target, areas) = (prepared.target(), prepared.lights.have_surfaces());
+pub fn emitted(plan: &Plan) -> Vec<Program> {
+    let (target, areas) = (plan.target(), plan.lights.have_surfaces());
     areas.then(|| emit(target)).into_iter().chain(background(target)).collect()
 }
 
@@ -141,15 +141,15 @@ fn background(target: Target) -> Option<Program> {
 }
 
 /// What a scene and settings need.
-pub(super) fn needed(prepared: &Prepared, settings: &Settings) -> Vec<Program> {
-    let target = prepared.target();
-    let areas = prepared.lights.have_surfaces();
+pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
+    let target = plan.target();
+    let areas = plan.lights.have_surfaces();
     let mut programs = vec![camera(target), count(), compact(), sum()];
-    programs.extend(emitted(prepared));
+    programs.extend(emitted(plan));
     if seeks_light(settings) {
-        programs.extend(prepared.lights.kinds().filter_map(|kind| next_event(target, kind)));
+        programs.extend(plan.kinds().filter_map(|kind| next_event(target, kind)));
     }
-    let segments = has_segments(prepared, settings);
+    let segments = has_segments(plan, settings);
     programs.extend(segments.then(|| segment(target, settings.bounces, areas)));
     programs
 }

@@ -4,7 +4,7 @@ use crate::gpu::Module;
 use crate::gpu::module::{
     PACKET_RAYS, PACKET_SHAFT, TRAVERSE, VISIBILITY, VISIBILITY_LITERALS, VISIBILITY_PACKET,
 };
-use crate::render::Prepared;
+use crate::render::Plan;
 
 /// How the shadow rays between points and VPLs are traced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,11 +26,11 @@ impl Tracing {
     const SHAFT_NODES: usize = 1000;
 
     /// The one that suits a scene and its device.
-    pub fn of(prepared: &Prepared) -> Self {
-        match prepared.target() {
+    pub fn of(plan: &Plan) -> Self {
+        match plan.target() {
             target if target.literal_packets => Self::Literals,
             target if !target.subgroups => Self::Single,
-            _ if prepared.bvh.nodes.len() <= Self::SHAFT_NODES => Self::Shaft,
+            _ if plan.bvh.nodes.len() <= Self::SHAFT_NODES => Self::Shaft,
             _ => Self::Rays,
         }
     }

@@ -1,0 +1,120 @@
+//! What is known of a scene before there is a device: its hierarchy, its lights, and so the
+//! programs that it needs.
+
+use std::time::{Duration, Instant};
+
+use super::kernels::{self, Tracing};
+use super::literals::Literals;
+use super::{Features, LightKind, Lights, Settings, Sky, Target, tables};
+use crate::bvh::Bvh;
+use crate::gpu::Program;
+use crate::scene::Scene;
+
+/// A scene, and what is linked for it.
+#[derive(Debug)]
+pub struct Plan {
+    /// The scene.
+    pub scene: Scene,
+    /// The hierarchy over the scene's triangles and spheres.
+    pub bvh: Bvh,
+    /// The light sources.
+    pub lights: Lights,
+    /// What is linked for the scene.
+    pub features: Features,
+    /// Time spent on building the BVH.
+    pub bvh_time: Duration,
+    subgroups: bool,
+    literals: Option<Literals>,
+    /// Whether what the scene does not need is linked, too.
+    everything: bool,
+}
+
+impl Plan {
+    /// Of a scene, on a device with subgroups of eight lanes or more or without.
+    pub fn new(scene: Scene, settings: &Settings, subgroups: bool) -> Self {
+        let everything = settings.link_everything;
+        let start = Instant::now();
+        let bvh = Bvh::of(&scene);
+        let bvh_time = start.elapsed();
+        Self {
+            lights: Lights::of(&scene),
+            features: Self::features(&scene, settings),
+            literals: if everything { None } else { Literals::of(&scene, &bvh) },
+            everything,
+            subgroups,
+            bvh_time,
+            bvh,
+            scene,
+        }
+    }
+
+    /// What is linked for a scene.
+    pub fn features(scene: &Scene, settings: &Settings) -> Features {
+        let own = Features::of(scene);
+        let everything = || Features {
+            // A scene without an environment has an even one that is black.
+            sky: if own.sky.shines() { own.sky } else { Sky::Constant },
+            ..Features::everything()
+        };
+        if settings.link_everything { everything() } else { own }
+    }
+
+    /// What programs are linked for.
+    pub fn target(&self) -> Target {
+        let tracing = self.literals.as_ref().map(|literals| literals.suit_packets);
+        Target {
+            subgroups: self.subgroups,
+            features: self.features,
+            literals: tracing.is_some(),
+            literal_packets: tracing == Some(true),
+        }
+    }
+
+    /// What programs are linked for in a frame: one without light shows the first surfaces, and
+    /// needs nothing of how they reflect.
+    pub fn target_of(&self, settings: &Settings) -> Target {
+        let lit = settings.method.is_lit();
+        let plain = Features { phong: false, mirror: false, glass: false, ..self.features };
+        let features = if lit { self.features } else { plain };
+        Target { features, ..self.target() }
+    }
+
+    /// The kinds of lights that programs are linked for.
+    pub(super) fn kinds(&self) -> impl Iterator<Item = LightKind> + '_ {
+        let is = |kind: &LightKind| self.everything || self.lights.count(*kind) > 0;
+        LightKind::ALL.into_iter().filter(is)
+    }
+
+    /// The kinds of lights that have a table on the device.
+    pub(super) fn kinds_with_tables(&self) -> impl Iterator<Item = LightKind> + '_ {
+        let is = |kind: &LightKind| match kind {
+            LightKind::Environment => self.features.sky.shines(),
+            _ => self.lights.count(*kind) > 0,
+        };
+        LightKind::ALL.into_iter().filter(is)
+    }
+
+    /// A program with what is written for the scene.
+    pub(super) fn complete(&self, program: Program) -> Program {
+        match &self.literals {
+            Some(literals) => literals.complete(program),
+            None => program,
+        }
+    }
+
+    /// The programs that frames with these settings run.
+    pub fn programs(&self, settings: &Settings) -> Vec<Program> {
+        let needed = kernels::needed(self, settings).into_iter();
+        needed.map(|program| self.complete(program)).collect()
+    }
+
+    /// How shadow rays between points and VPLs are traced.
+    pub fn tracing(&self) -> Tracing {
+        Tracing::of(self)
+    }
+
+    /// The tables that the device holds of the scene, and their sizes in bytes.
+    pub fn tables(&self) -> Vec<(&'static str, u64)> {
+        tables::bytes(self)
+    }
+}
