@@ -13,7 +13,8 @@
 //!    diffuse materials, lights and a camera, recentred and scaled before they become f32.
 //! 2. [`bvh`] builds the bounding volume hierarchy that host and device both traverse.
 //!    The triangles of a small scene are written into its shaders instead: [`render::literals`].
-//! 3. [`render::Prepared`] holds what is done once: hierarchy, lights, device
+//! 3. [`render::Plan`] tells what programs a scene needs. With it, [`render::Prepared`] holds
+//!    what is done once: hierarchy, lights, device
 //!    ([`gpu::Gpu`]), kernels and the buffers of the scene. [`render::frame`] does the rest:
 //! 4. **VPLs**: the host traces light paths; each hit deposits a virtual point light.
 //! 5. **Visible points**: camera rays, for each sample of every pixel of a tile.

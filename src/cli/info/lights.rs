@@ -18,8 +18,8 @@ pub struct LightInfo {
     material: Option<String>,
     /// Triangles and spheres that emit.
     shapes: usize,
-    /// Emitted flux, mean of the channels, in W; that of a texture apart. Of directional light and
-    /// an environment, what of it meets the sphere around the scene.
+    /// Emitted flux, mean of the channels, in W, as if a surface's emission had no texture. Of
+    /// directional light and an environment, what of it meets the sphere around the scene.
     power: f64,
     /// The part of the power of all lights, in [0, 1].
     share: f64,
