@@ -9,15 +9,17 @@
 //! scene → bvh → visible points → VPLs → clusters → visibility → shading → image
 //! ```
 //!
-//! 1. [`scene`] reads a scene file, a bare mesh or makes a built-in scene: triangles,
-//!    diffuse materials, lights and a camera, recentred and scaled before they become f32.
+//! 1. [`scene`] reads a scene file, a bare mesh or makes a built-in scene: triangles and
+//!    spheres, materials and textures, lights and a camera, recentred and scaled before they
+//!    become f32.
 //! 2. [`bvh`] builds the bounding volume hierarchy that host and device both traverse.
 //!    The triangles of a small scene are written into its shaders instead: [`render::literals`].
 //! 3. [`render::Plan`] tells what programs a scene needs. With it, [`render::Prepared`] holds
 //!    what is done once: hierarchy, lights, device
 //!    ([`gpu::Gpu`]), kernels and the buffers of the scene. [`render::frame`] does the rest:
 //! 4. **VPLs**: the host traces light paths; each hit deposits a virtual point light.
-//! 5. **Visible points**: camera rays, for each sample of every pixel of a tile.
+//! 5. **Visible points**: camera rays, for each sample of every pixel of a tile; they go on at
+//!    mirrors and glass.
 //! 6. **Direct light**: shadow rays to point, spot and directional lights, to samples of area
 //!    lights and of the environment.
 //! 7. **Clusters**, in the methods that use them: [`cluster`] finds visible points, and VPLs,
