@@ -9,8 +9,8 @@ use glam::{DVec3, Vec3};
 use gpu_vpl::gpu::Gpu;
 use gpu_vpl::image::Image;
 use gpu_vpl::render::{
-    Bounces, Clustering, Direct, Merge, Method, Prepared, Representative, Settings, VirtualLight,
-    VplClusters,
+    Bounces, Clustering, Direct, Gloss, Merge, Method, Prepared, Representative, Settings,
+    VirtualLight, VplClusters,
 };
 
 const CLUSTERED: [Method; 3] = [Method::Vplc, Method::Vpc, Method::Both];
@@ -201,5 +201,51 @@ fn merged_lights_keep_colour_and_energy() {
                 assert!(members().any(|light| light.position == merged.position));
             }
         }
+    }
+}
+
+/// Glossy lights merge with those of their own material alone that mirror light the same way, and
+/// keep the light of both parts.
+#[test]
+fn glossy_lights_merge_with_their_like() {
+    let mut random = Rng(4);
+    let ways = [Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.6, 0.0, 0.8), Vec3::Z];
+    let lights: Vec<VirtualLight> = (0..1500)
+        .map(|_| {
+            let specular = Vec3::new(random.unit(), random.unit(), random.unit());
+            let mirrored = (ways[random.below(3)] + 0.1 * random.cube()).normalize();
+            let material = random.below(3) as u32;
+            let gloss = Gloss { material, specular, shininess: 10.0 * material as f32, mirrored };
+            let diffuse = VirtualLight::diffuse(random.cube(), Vec3::Z, 2.0 * specular);
+            // The last material is diffuse.
+            VirtualLight { gloss: (material < 2).then_some(gloss), ..diffuse }
+        })
+        .collect();
+    let clustering = Clustering { vpls: 50, merge: Merge::Light, ..Clustering::default() };
+    for representative in [Representative::Mean, Representative::Member] {
+        let clustering = Clustering { representative, ..clustering };
+        let clusters = VplClusters::of(&lights, &clustering, 1);
+        assert!((50..300).contains(&clusters.lights.len()), "{}", clusters.lights.len());
+        let mut split = 0;
+        for (index, merged) in clusters.lights.iter().enumerate() {
+            let of = clusters.of_lights.iter().zip(&lights);
+            let members: Vec<_> =
+                of.filter(|(cluster, _)| **cluster as usize == index).map(|(_, l)| l).collect();
+            assert!(!members.is_empty(), "cluster {index} is of nobody");
+            let material = |light: &VirtualLight| light.gloss.map(|gloss| gloss.material);
+            assert!(members.iter().all(|light| material(light) == material(merged)));
+            let Some(gloss) = merged.gloss else { continue };
+            split += 1;
+            let sum: DVec3 =
+                members.iter().filter_map(|l| l.gloss).map(|g| g.specular.as_dvec3()).sum();
+            assert!((gloss.specular.as_dvec3() - sum).length() < 1e-5 * sum.length());
+            // A founder accepts its members, and stands for them or near them.
+            let near = |light: &&VirtualLight| {
+                light.gloss.is_some_and(|g| g.mirrored.dot(gloss.mirrored) > 0.8)
+            };
+            assert!(members.iter().all(near), "{representative:?}: {index}");
+            assert!((gloss.mirrored.length() - 1.0).abs() < 1e-5);
+        }
+        assert!(split > 20);
     }
 }

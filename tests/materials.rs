@@ -193,3 +193,24 @@ fn light_paths_go_on_at_mirrors() {
         assert_eq!(on_floor == 0, with_mirror);
     }
 }
+
+/// A diffuse block beside a mirror in a box of even light: what the mirror hides it shows, too, so
+/// that the block is ρ L everywhere. (Glass above it would also show the block itself.)
+#[test]
+fn paths_find_all_light_that_mirrors_turn() {
+    let mut build = Build::new();
+    let wall = build.material([0.0; 3], [1.0, 2.0, 3.0], false);
+    let mirror = build.finished([0.0; 3], Finish::Mirror { specular: Vec3::ONE });
+    let block = build.finished([0.6; 3], Finish::Diffuse);
+    build.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
+    build.cuboid(block, dvec3(-0.2, -0.9, -0.9), dvec3(0.2, 0.9, 0.0), false);
+    build.cuboid(mirror, dvec3(-0.6, -0.9, -0.9), dvec3(-0.4, 0.9, 0.6), false);
+    // The top of the block fills the image.
+    build.camera(dvec3(0.0, 0.0, 0.3), DVec3::NEG_Z, 30.0, [8, 8]);
+    let settings =
+        Settings { samples: 4096, bounces: Bounces::Finite(0), ..Settings::of(Method::Path) };
+    let pixels = build.render(&settings).image.pixels;
+    assert_even(&pixels, [0.6, 1.2, 1.8], 0.02);
+    let off = mean(&pixels)[0] / 0.6 - 1.0;
+    assert!(off.abs() < 2e-3, "mean off by {off}");
+}
