@@ -335,27 +335,12 @@ fn a_black_environment_is_left_out() {
     }
 }
 
-const METHODS: [Method; 12] = [
-    Method::Vpl,
-    Method::Vplc,
-    Method::Vpc,
-    Method::Both,
-    Method::Path,
-    Method::Direct,
-    Method::Normal,
-    Method::Depth,
-    Method::Albedo,
-    Method::PointClusters,
-    Method::VplMap,
-    Method::VplClustersMap,
-];
-
 /// Every method renders a scene that has nothing but an environment; clusters and interleaved
 /// subsets included.
 #[test]
 fn every_method_renders_with_an_environment_alone() {
     for image in [false, true] {
-        for method in METHODS {
+        for method in Method::ALL {
             let mut build = Build::open_room();
             build.draft.environment = Some(match image {
                 true => of_image([64, 32], |x, _| Vec3::splat((x % 3) as f32)),

@@ -11,21 +11,6 @@ use gpu_vpl::render::kernels::{features_of, features_without};
 use gpu_vpl::render::{Method, Plan, Prepared, Settings, frame};
 use gpu_vpl::scene::Scene;
 
-const METHODS: [Method; 12] = [
-    Method::Vpl,
-    Method::Vplc,
-    Method::Vpc,
-    Method::Both,
-    Method::Path,
-    Method::Direct,
-    Method::Normal,
-    Method::Depth,
-    Method::Albedo,
-    Method::PointClusters,
-    Method::VplMap,
-    Method::VplClustersMap,
-];
-
 /// What the Cornell box has none of.
 const FOREIGN: [&str; 11] = [
     "phong",
@@ -71,7 +56,7 @@ fn found<'a>(programs: &[Program], words: &[&'a str]) -> BTreeSet<&'a str> {
 
 #[test]
 fn programs_of_the_cornell_box_hold_nothing_that_it_has_none_of() {
-    for method in METHODS {
+    for method in Method::ALL {
         let found = found(&programs(method, false), &FOREIGN);
         assert!(found.is_empty(), "{method:?} holds {found:?}");
     }
@@ -88,7 +73,7 @@ fn with_everything_linked_programs_hold_it_all() {
 #[test]
 fn what_is_left_out_is_what_is_not_linked() {
     let of_catalogue: BTreeSet<_> = CATALOGUE.iter().filter_map(|module| module.feature).collect();
-    for method in METHODS {
+    for method in Method::ALL {
         for link_everything in [false, true] {
             let programs = programs(method, link_everything);
             let modules = || programs.iter().flat_map(|program| &program.modules);

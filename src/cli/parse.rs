@@ -6,27 +6,11 @@ use crate::image::Tone;
 use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
 use crate::study::{presets, thesis};
 
-/// The methods there are.
-const METHODS: [Method; 12] = [
-    Method::Vpl,
-    Method::Vplc,
-    Method::Vpc,
-    Method::Both,
-    Method::Path,
-    Method::Direct,
-    Method::Normal,
-    Method::Depth,
-    Method::Albedo,
-    Method::PointClusters,
-    Method::VplMap,
-    Method::VplClustersMap,
-];
-
 pub fn method(text: &str) -> Result<Method, String> {
-    if let Some(method) = METHODS.into_iter().find(|method| method.name() == text) {
+    if let Some(method) = Method::ALL.into_iter().find(|method| method.name() == text) {
         return Ok(method);
     }
-    let known = METHODS.map(Method::name).join(", ");
+    let known = Method::ALL.map(Method::name).join(", ");
     Err(format!("give one of {known}"))
 }
 

@@ -33,6 +33,22 @@ pub enum Method {
 }
 
 impl Method {
+    /// All of them.
+    pub const ALL: [Self; 12] = [
+        Self::Vpl,
+        Self::Vplc,
+        Self::Vpc,
+        Self::Both,
+        Self::Path,
+        Self::Direct,
+        Self::Normal,
+        Self::Depth,
+        Self::Albedo,
+        Self::PointClusters,
+        Self::VplMap,
+        Self::VplClustersMap,
+    ];
+
     /// The name on the command line and in reports.
     pub fn name(self) -> &'static str {
         match self {

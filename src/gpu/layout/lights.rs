@@ -1,0 +1,143 @@
+//! Lights: sources, and virtual point lights.
+
+use bytemuck::{Pod, Zeroable};
+
+/// A virtual point light, 48 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct VplRecord {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// Unused.
+    pub pad0: f32,
+    /// Unit normal of the side that it lights.
+    pub normal: [f32; 3],
+    /// Unused.
+    pub pad1: f32,
+    /// Intensity along the normal: exitant flux over π.
+    pub intensity: [f32; 3],
+    /// Mean of the channels of `intensity`.
+    pub mean: f32,
+}
+
+/// A virtual point light with a Phong lobe, 80 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct GlossyVplRecord {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// Exponent n of the lobe.
+    pub shininess: f32,
+    /// Unit normal of the side that it lights.
+    pub normal: [f32; 3],
+    /// The lobe at its peak over 1/π, (n + 2)/2; 0 without a lobe.
+    pub peak: f32,
+    /// Intensity along the normal of the diffuse part.
+    pub intensity: [f32; 3],
+    /// Mean of the channels of `intensity`.
+    pub mean: f32,
+    /// What the intensity would be if the lobe were diffuse.
+    pub specular: [f32; 3],
+    /// Mean of the channels of `specular`.
+    pub specular_mean: f32,
+    /// Unit direction of the lobe.
+    pub mirrored: [f32; 3],
+    /// Unused.
+    pub pad: f32,
+}
+
+/// A point light, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PointLightRecord {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// The probability of all point lights before this one.
+    pub before: f32,
+    /// Radiant intensity, the same in all directions.
+    pub intensity: [f32; 3],
+    /// The probability of this light among the point lights.
+    pub probability: f32,
+}
+
+/// A point light that shines into a cone, 64 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct SpotLightRecord {
+    /// Where it is.
+    pub position: [f32; 3],
+    /// The probability of all spot lights before this one.
+    pub before: f32,
+    /// Radiant intensity where it shines in full.
+    pub intensity: [f32; 3],
+    /// The probability of this light among the spot lights.
+    pub probability: f32,
+    /// Unit vector along the cone's axis.
+    pub axis: [f32; 3],
+    /// Cosine of the angle beyond which it does not shine.
+    pub cos_outer: f32,
+    /// How fast the ramp rises with the cosine from there.
+    pub slope: f32,
+    /// Unused.
+    pub pad: [u32; 3],
+}
+
+/// A light infinitely far away, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct DirectionalLightRecord {
+    /// Unit vector to where the light comes from.
+    pub toward: [f32; 3],
+    /// The probability of all directional lights before this one.
+    pub before: f32,
+    /// Irradiance of a surface across it.
+    pub irradiance: [f32; 3],
+    /// The probability of this light among the directional lights.
+    pub probability: f32,
+}
+
+/// An emitting triangle, 80 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct AreaLightRecord {
+    /// First corner.
+    pub corner: [f32; 3],
+    /// The probability of all lights before this one.
+    pub before: f32,
+    /// Second corner minus the first.
+    pub edge1: [f32; 3],
+    /// The probability of this light.
+    pub probability: f32,
+    /// Third corner minus the first.
+    pub edge2: [f32; 3],
+    /// Whether both sides emit.
+    pub two_sided: u32,
+    /// Unit normal of the emitting side.
+    pub normal: [f32; 3],
+    /// The area.
+    pub area: f32,
+    /// Emitted radiance.
+    pub radiance: [f32; 3],
+    /// Unused.
+    pub pad: f32,
+}
+
+/// An emitting sphere, 48 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct SphereLightRecord {
+    /// The centre.
+    pub center: [f32; 3],
+    /// The radius.
+    pub radius: f32,
+    /// Emitted radiance.
+    pub radiance: [f32; 3],
+    /// Whether it emits inwards, too.
+    pub two_sided: u32,
+    /// The probability of all emitting spheres before this one.
+    pub before: f32,
+    /// The probability of this one.
+    pub probability: f32,
+    /// Unused.
+    pub pad: [u32; 2],
+}
