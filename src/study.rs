@@ -3,6 +3,7 @@
 
 mod claims;
 pub mod csv;
+pub mod extremes;
 pub mod fit;
 pub mod markdown;
 mod measure;
