@@ -20,8 +20,9 @@ struct PathParams {
     // The probability of a light that is drawn by solid angle, over its mean radiance, its sides and its squared
     // radius; 0 if emission that the next segment finds does not count.
     solid_density: f32,
-    pad0: u32,
-    pad1: u32,
+    // On the geometry term, of bias compensation.
+    bound: f32,
+    pad: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: PathParams;

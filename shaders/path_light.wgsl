@@ -3,7 +3,7 @@
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 // In w, the shadow rays.
 @group(0) @binding(20) var<storage, read_write> radiance: array<vec4f>;
-@group(0) @binding(22) var<storage, read> paths: array<Path>;
+@group(0) @binding(22) var<storage, read_write> paths: array<Path>;
 @group(0) @binding(23) var<storage, read> queue: array<u32>;
 
 // Traces to a light that gives this irradiance if nothing is between. All invocations of a subgroup
@@ -14,8 +14,8 @@ fn receive(slot: u32, light: LightSample, irradiance: vec3f, is: bool, invocatio
     let limit = select(0.0, light.limit, is);
     let hit = traverse(origin, light.toward, limit, params.nodes, true, invocation);
     if is {
-        let reflectance = brdf(point, albedo_of(slot, point), normalize(light.toward));
         let received = select(irradiance, vec3f(0.0), hit.triangle != NOTHING);
-        radiance[slot] += vec4f(paths[slot].throughput * reflectance * received, 1.0);
+        let back = brought_back(slot, point, normalize(light.toward), received);
+        radiance[slot] += vec4f(back, 1.0);
     }
 }

@@ -17,10 +17,11 @@ pub use adapter::{AdapterChoice, AdapterDescription, AdapterInfo, adapters};
 pub use error::GpuError;
 pub use kernel::Kernel;
 pub use layout::{
-    AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
-    FinishRecord, GlossyVplRecord, InterleaveParams, MaterialRecord, NodeRecord, PathParams,
-    PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord,
-    SpotLightRecord, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
+    AreaLightRecord, ArrivalRecord, CameraParams, CompensatedParams, DirectParams,
+    DirectionalLightRecord, ExpandParams, FinishRecord, GlossyVplRecord, InterleaveParams,
+    MaterialRecord, NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord,
+    ShadeParams, SphereLightRecord, SpotLightRecord, StartParams, TextureRecord, TriangleRecord,
+    VisibilityParams, VplRecord,
 };
 pub use pass::{Bindings, Pass};
 pub use shader::{CATALOGUE, Linked, Module, Program, module};

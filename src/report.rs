@@ -108,6 +108,8 @@ pub struct FramePhases {
     pub cluster_vpls: f64,
     pub visibility: f64,
     pub shading: f64,
+    #[serde(default)]
+    pub compensation: f64,
     pub readback: f64,
 }
 
@@ -162,6 +164,7 @@ impl From<&render::Phases> for FramePhases {
             cluster_vpls: phases.cluster_vpls.as_secs_f64(),
             visibility: phases.visibility.as_secs_f64(),
             shading: phases.shading.as_secs_f64(),
+            compensation: phases.compensation.as_secs_f64(),
             readback: phases.readback.as_secs_f64(),
         }
     }
@@ -169,7 +172,7 @@ impl From<&render::Phases> for FramePhases {
 
 impl RunPhases {
     /// Name and seconds of each phase in the order in which they run.
-    pub fn rows(&self) -> [(&'static str, f64); 13] {
+    pub fn rows(&self) -> [(&'static str, f64); 14] {
         let frame = &self.frame;
         [
             ("load", self.load),
@@ -183,6 +186,7 @@ impl RunPhases {
             ("cluster_vpls", frame.cluster_vpls),
             ("visibility", frame.visibility),
             ("shading", frame.shading),
+            ("compensation", frame.compensation),
             ("readback", frame.readback),
             ("write", self.write),
         ]

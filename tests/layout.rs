@@ -7,10 +7,11 @@ use std::collections::BTreeMap;
 use std::mem::offset_of;
 
 use gpu_vpl::gpu::{
-    AreaLightRecord, CameraParams, DirectParams, DirectionalLightRecord, ExpandParams,
-    FinishRecord, GlossyVplRecord, InterleaveParams, MaterialRecord, NodeRecord, PathParams,
-    PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord,
-    SpotLightRecord, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
+    AreaLightRecord, ArrivalRecord, CameraParams, CompensatedParams, DirectParams,
+    DirectionalLightRecord, ExpandParams, FinishRecord, GlossyVplRecord, InterleaveParams,
+    MaterialRecord, NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord,
+    ShadeParams, SphereLightRecord, SpotLightRecord, StartParams, TextureRecord, TriangleRecord,
+    VisibilityParams, VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};
@@ -122,8 +123,11 @@ fn records() -> Vec<Record> {
         record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),
         record!(PathParams as "PathParams" {
             paths, bounce, first_sample, samples, lights, nodes, offset, light_density,
-            background, solid_density, pad,
+            background, solid_density, bound, pad,
         }),
+        record!(StartParams as "StartParams" { points, first_block, seed, pad }),
+        record!(CompensatedParams as "CompensatedParams" { points, share, pad }),
+        record!(ArrivalRecord as "Arrival" { diffuse, diffuse_g, glossy, glossy_g }),
         record!(InterleaveParams as "InterleaveParams" {
             width, height, s, rotation, subset_width, subset_points, points, pass_number,
         }),

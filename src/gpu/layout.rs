@@ -10,8 +10,8 @@ pub use lights::{
     SpotLightRecord, VplRecord,
 };
 pub use params::{
-    CameraParams, DirectParams, ExpandParams, InterleaveParams, PathParams, PathRecord, PathSum,
-    ShadeParams, VisibilityParams,
+    ArrivalRecord, CameraParams, CompensatedParams, DirectParams, ExpandParams, InterleaveParams,
+    PathParams, PathRecord, PathSum, ShadeParams, StartParams, VisibilityParams,
 };
 pub use scene::{
     FinishRecord, MaterialRecord, NodeRecord, PointRecord, TextureRecord, TriangleRecord,

@@ -160,6 +160,7 @@ pub mod module {
         PATH_RANDOM = "path_random" for "path tracing";
         PATH_CAMERA = "path_camera" for "path tracing";
         PATH_LIGHT = "path_light" for "direct light";
+        PATH_BACK = "path_back" for "path tracing";
         PATH_EXACT = "path_exact";
         PATH_SAMPLED = "path_sampled";
         ROULETTE = "roulette" for "Russian roulette";
@@ -171,6 +172,15 @@ pub mod module {
         PATH_COUNT = "path_count" for "path tracing";
         PATH_COMPACT = "path_compact" for "path tracing";
         PATH_SUM = "path_sum" for "path tracing";
+        SEEN_ALL = "seen_all" for "bias compensation";
+        COMPENSATE_SHARE = "compensate_share" for "bias compensation";
+        COMPENSATE_START = "compensate_start" for "bias compensation";
+        COMPENSATE_DIFFUSE = "compensate_diffuse";
+        COMPENSATE_GLOSSY = "compensate_glossy" for "phong";
+        COMPENSATE_BACK = "compensate_back" for "bias compensation";
+        COMPENSATE_VPLS = "compensate_vpls" for "bias compensation";
+        COMPENSATE_SEGMENT = "compensate_segment" for "bias compensation";
+        COMPENSATED = "compensated" for "bias compensation";
         EMIT = "emit" for "emission";
         REFLECT = "reflect" for "reflection";
         REMOVED = "removed" for "clamp";

@@ -1,6 +1,7 @@
 //! Which shader files make which kernel, and which kernels a scene needs.
 
 mod camera;
+pub mod compensate;
 mod gather;
 mod light;
 pub mod path;
@@ -97,6 +98,9 @@ pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
         if settings.interleaves() {
             programs.extend([separate(), collect(target, settings.probes()), combine(target)]);
         }
+        if settings.compensates() {
+            programs.extend(compensate::needed(plan, settings));
+        }
     }
     programs
 }
@@ -188,6 +192,7 @@ pub fn all_programs() -> Vec<Program> {
             programs.extend(sharing.map(|sharing| shade(target, bounded, sharing, emitter)));
         }
         programs.extend(path::all(target));
+        programs.extend(compensate::all(target));
     }
     programs.extend(path::common());
     let example =

@@ -38,6 +38,18 @@ pub struct Columns {
     pub of_vpls: wgpu::Buffer,
 }
 
+/// The name by which shaders know lights that points gather.
+pub const VPL_BUFFER: &str = "vpls";
+
+/// Uploads lights in their order.
+///
+/// # Errors
+/// The device refuses.
+pub fn table(prepared: &Prepared, lights: &[VirtualLight]) -> Result<wgpu::Buffer, GpuError> {
+    let order: Vec<_> = (0..lights.len() as u32).map(Some).collect();
+    upload(prepared, "VPLs by bounces", lights, &order, 1.0)
+}
+
 impl LightSet {
     /// Uploads VPLs, dealt out to so many subsets; none if there are none.
     ///

@@ -6,7 +6,8 @@
 //! one ray a path, and between passes the paths that have ended leave the queue.
 
 mod estimate;
-mod stages;
+pub(super) mod stages;
+pub(super) mod vertices;
 
 use std::time::{Duration, Instant};
 
@@ -17,7 +18,7 @@ use crate::gpu::{CameraParams, GpuError, PathParams, PathSum};
 use crate::sampling::SURFACE_OFFSET;
 use crate::scene::Camera;
 use estimate::Estimates;
-use stages::{RUN, Stages};
+use stages::Stages;
 
 /// Paths of a wave, at most: few enough for any adapter's buffers, many enough that the passes
 /// themselves cost nothing.
@@ -129,16 +130,9 @@ impl<'a> PathTracer<'a> {
         let stages = &self.stages;
         let params = PathParams {
             paths: wave.paths(),
-            bounce: 0,
             first_sample: wave.first_sample,
             samples: wave.samples,
-            lights: 0,
-            nodes: self.prepared.bvh.nodes.len() as u32,
-            offset: SURFACE_OFFSET,
-            light_density: 0.0,
-            background: 0.0,
-            solid_density: 0.0,
-            pad: [0; 2],
+            ..path_params(self.prepared)
         };
         let groups = [wave.paths().div_ceil(64), 1];
         phases.visible_points +=
@@ -151,18 +145,14 @@ impl<'a> PathTracer<'a> {
         while params.paths > 0 {
             // The light of a vertex: from shadow rays, and from what the next segment happens upon.
             let is_lit = params.bounce > 0 || self.settings.direct != Direct::Off;
-            params.light_density = if is_lit { self.prepared.lights.area_density() } else { 0.0 };
-            params.solid_density = if is_lit { self.prepared.lights.solid_density() } else { 0.0 };
-            params.background =
-                if is_lit && self.prepared.features.sky.shines() { 1.0 } else { 0.0 };
             if is_lit {
+                params = finding_light(self.prepared, params);
                 let time = self.shadow_rays(&params)?;
                 let first = params.bounce == 0;
                 *(if first { &mut phases.direct } else { &mut phases.visibility }) += time;
             }
             let last = self.settings.bounces == Bounces::Finite(params.bounce);
-            let finds = params.light_density.max(params.solid_density).max(params.background);
-            let goes_on = !last || finds > 0.0;
+            let goes_on = !last || finds_light(&params);
             let Some(segment) = stages.segment.as_ref().filter(|_| goes_on) else { break };
             let groups = [params.paths.div_ceil(64), 1];
             phases.visibility += segment.run(self.prepared, &params, groups)?;
@@ -189,17 +179,7 @@ impl<'a> PathTracer<'a> {
     /// Makes the queue of the paths that go on, of those that `params` counts; how many they are.
     fn survivors(&self, params: &PathParams, phases: &mut Phases) -> Result<u32, GpuError> {
         let start = Instant::now();
-        let (stages, gpu) = (&self.stages, &self.prepared.gpu);
-        let runs = params.paths.div_ceil(RUN);
-        let groups = [runs.div_ceil(64), 1];
-        stages.count.run(self.prepared, params, groups)?;
-        let mut places: Vec<u32> = gpu.read(&stages.buffers.counts, runs as usize)?;
-        let mut all = 0;
-        for place in &mut places {
-            all += std::mem::replace(place, all);
-        }
-        gpu.write(&stages.buffers.places, &places)?;
-        stages.compact.run(self.prepared, params, groups)?;
+        let all = self.stages.queue.survivors(self.prepared, params)?;
         phases.shading += start.elapsed();
         Ok(all)
     }
@@ -215,7 +195,7 @@ impl<'a> PathTracer<'a> {
         let params = PathParams { paths: wave.pixels(), ..*params };
         phases.shading += stages.sum.run(self.prepared, &params, [wave.blocks, 1])?;
         let start = Instant::now();
-        let sums = self.prepared.gpu.read(&stages.buffers.sums, wave.pixels() as usize)?;
+        let sums = self.prepared.gpu.read(&stages.sums, wave.pixels() as usize)?;
         phases.readback += start.elapsed();
         Ok(sums)
     }
@@ -229,6 +209,30 @@ impl<'a> PathTracer<'a> {
             ..camera_params(self.prepared, self.camera, self.settings.samples, self.seed)
         }
     }
+}
+
+/// Parameters of paths of which nothing is known yet; they find no light.
+pub(super) fn path_params(prepared: &Prepared) -> PathParams {
+    PathParams {
+        nodes: prepared.bvh.nodes.len() as u32,
+        offset: SURFACE_OFFSET,
+        ..bytemuck::Zeroable::zeroed()
+    }
+}
+
+/// Paths of which the next segment counts the light that it happens upon.
+pub(super) fn finding_light(prepared: &Prepared, params: PathParams) -> PathParams {
+    PathParams {
+        light_density: prepared.lights.area_density(),
+        solid_density: prepared.lights.solid_density(),
+        background: if prepared.features.sky.shines() { 1.0 } else { 0.0 },
+        ..params
+    }
+}
+
+/// Whether there is light that the next segment may happen upon, and that counts.
+pub(super) fn finds_light(params: &PathParams) -> bool {
+    params.light_density.max(params.solid_density).max(params.background) > 0.0
 }
 
 fn all_blocks(camera: &Camera) -> u32 {

@@ -145,6 +145,8 @@ pub struct Settings {
     pub light_samples: Option<u32>,
     /// Bound on G.
     pub clamp: Clamp,
+    /// Whether what the bound removes is given back by short paths (Kollig and Keller 2004).
+    pub compensate: bool,
     /// Samples (visible points) per pixel; paths, where there are paths.
     pub samples: u32,
     /// Camera rays over all samples of a pixel at whose place surfaces meet; each takes the light
@@ -290,6 +292,7 @@ impl Settings {
             direct: Direct::PerPixel,
             light_samples: None,
             clamp: Clamp::Auto,
+            compensate: false,
             samples: if method == Method::Path { 16 } else { 1 },
             edge_samples: 16,
             clustering: Clustering::default(),
@@ -306,6 +309,11 @@ impl Settings {
     /// Whether there is indirect light to gather.
     pub fn traces_light_paths(&self) -> bool {
         self.method.is_indirect() && self.bounces != Bounces::Finite(0)
+    }
+
+    /// Whether there is something to give back of what the bound on G removes.
+    pub fn compensates(&self) -> bool {
+        self.compensate && self.traces_light_paths() && self.clamp != Clamp::Off
     }
 
     /// Whether VPLs share the visibility of their cluster.

@@ -3,12 +3,14 @@
 
 use std::time::{Duration, Instant};
 
+use super::compensate::Compensation;
 use super::film::{Tile, Tiling, develop};
 use super::gathers::{Clustered, Gathers};
 use super::interleave::Interleave;
 use super::light_set::LightSet;
 use super::stages::{Stage, Stages};
 use super::visibility::dispatch_rays;
+use super::vpl::Vpl;
 use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};
 use crate::gpu::{CameraParams, DirectParams, GpuError, PointRecord};
 use crate::image::Image;
@@ -26,6 +28,8 @@ pub struct TileRenderer<'a> {
     pub(super) stages: Stages,
     /// Where pixels gather subsets of the VPLs.
     pub(super) interleave: Option<Interleave>,
+    /// Where what the bound on G removes is given back.
+    compensation: Option<Compensation>,
 }
 
 impl<'a> TileRenderer<'a> {
@@ -51,7 +55,26 @@ impl<'a> TileRenderer<'a> {
             }
             _ => None,
         };
-        Ok(Self { prepared, camera, settings, seed, tiling, stages, interleave })
+        let compensation = None;
+        Ok(Self { prepared, camera, settings, seed, tiling, stages, interleave, compensation })
+    }
+
+    /// Gives back what this bound on G removes of the light of VPLs.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn compensate(&mut self, vpls: &[Vpl], bound: f32) -> Result<(), GpuError> {
+        let (buffers, points) = (&self.stages.buffers, self.tiling.most_points() as usize);
+        self.compensation = Some(Compensation::new(
+            self.prepared,
+            self.settings,
+            self.seed,
+            vpls,
+            bound,
+            buffers,
+            points,
+        )?);
+        Ok(())
     }
 
     /// Renders all tiles.
@@ -180,6 +203,11 @@ impl<'a> TileRenderer<'a> {
             if let Some(stage) = &self.stages.removed {
                 phases.shading += self.run(stage, &(), groups)?;
             }
+        }
+        if let Some(compensation) = &self.compensation {
+            progress(0.5, "compensation");
+            let buffers = &self.stages.buffers;
+            phases.compensation += compensation.give_back(self.prepared, buffers, tile)?;
         }
         Ok(())
     }

@@ -37,6 +37,8 @@ pub struct Vpl {
     pub albedo: Vec3,
     /// Index of the material.
     pub material: u32,
+    /// How many surfaces the light has reached, this one included.
+    pub bounce: u32,
 }
 
 /// What light paths need of a scene.
@@ -94,9 +96,10 @@ impl LightPaths<'_> {
             if (flux * (albedo + Vec3::splat(gloss))).max_element() <= 0.0 {
                 break;
             }
-            vpls.push(Vpl { position, normal, incident, flux, albedo, material });
-
             let dimension = START_DIMENSIONS + 3 * bounce;
+            bounce += 1;
+            vpls.push(Vpl { position, normal, incident, flux, albedo, material, bounce });
+
             let draw = |i| sequence.sample(path, dimension + i);
             let scattered = place.scatter(-incident, [draw(0), draw(1)]);
             flux *= scattered.weight;
@@ -108,7 +111,6 @@ impl LightPaths<'_> {
                 flux /= survival;
             }
             ray = leave(position, normal, scattered.direction);
-            bounce += 1;
         }
         vpls
     }

@@ -38,6 +38,7 @@ fn values(settings: &Settings) -> Vec<(&'static str, String)> {
         ("direct", word(method.is_lit(), direct(settings.direct))),
         ("light-samples", settings.light_samples.and_then(|count| number(method.is_lit(), count))),
         ("clamp", gathers.then(|| clamp(settings.clamp))),
+        ("compensate", settings.compensates().then(String::new)),
         ("edge-samples", number(edges, settings.edge_samples)),
     ]
     .into_iter()
@@ -90,8 +91,11 @@ pub fn changed(settings: &Settings) -> String {
 }
 
 fn joined(values: &[(&str, String)]) -> String {
-    let options: Vec<_> = values.iter().map(|(name, value)| format!("--{name} {value}")).collect();
-    options.join(" ")
+    let option = |(name, value): &(&str, String)| match value.is_empty() {
+        true => format!("--{name}"),
+        false => format!("--{name} {value}"),
+    };
+    values.iter().map(option).collect::<Vec<_>>().join(" ")
 }
 
 /// The command that renders a frame.

@@ -195,6 +195,7 @@ fn mean_phases(frames: &[&FoundFrame]) -> FramePhases {
         cluster_vpls: mean(|phases| phases.cluster_vpls),
         visibility: mean(|phases| phases.visibility),
         shading: mean(|phases| phases.shading),
+        compensation: mean(|phases| phases.compensation),
         readback: mean(|phases| phases.readback),
     }
 }

@@ -70,6 +70,7 @@ pub fn row(experiment: &str, setting: &str, seconds: f64, total: Option<f64>) ->
         phases: FramePhases {
             visibility: 0.2 * seconds,
             shading: 0.4 * seconds,
+            compensation: 0.0,
             ..Default::default()
         },
         speedup: Some(4.0),

@@ -60,6 +60,13 @@ pub struct RenderArgs {
           allow_hyphen_values = true)]
     pub clamp: Clamp,
 
+    /// Give back what the bound removed, by short paths from the visible points: no bias, and no
+    /// dark corners, for some noise and time. Nothing where nothing is bounded
+    #[arg(long, value_name = "true|false", num_args = 0..=1, require_equals = true,
+          default_value_t = false, default_missing_value = "true", hide_default_value = true,
+          action = clap::ArgAction::Set)]
+    pub compensate: bool,
+
     /// Seed of all random numbers
     #[arg(long, allow_negative_numbers = true, default_value_t = 0)]
     pub seed: u32,
@@ -123,9 +130,6 @@ pub struct RenderArgs {
     /// Link every feature, whatever the scene has: for measuring what leaving out saves
     #[arg(long, hide = true)]
     pub link_everything: bool,
-
-    #[command(flatten)]
-    pub later: LaterArgs,
 }
 
 impl RenderArgs {
@@ -137,7 +141,7 @@ impl RenderArgs {
         aovs
     }
 
-    /// Refuses what does not go together, or is still to come.
+    /// Refuses what does not go together.
     ///
     /// # Errors
     /// There is such an option.
@@ -157,7 +161,7 @@ impl RenderArgs {
             let what = "--aov standard-error needs --method path with 2 --samples or more";
             return Err(Error::Usage(what.to_owned()));
         }
-        self.later.check()
+        Ok(())
     }
 
     /// What a frame depends on.
@@ -170,6 +174,7 @@ impl RenderArgs {
             direct: self.direct,
             light_samples: self.light_samples,
             clamp: self.clamp,
+            compensate: self.compensate,
             samples: self.samples.unwrap_or(defaults.samples),
             edge_samples: self.edge_samples,
             clustering: self.clustering.settings(),
@@ -254,26 +259,6 @@ impl ClusteringArgs {
             probes: self.probes,
             representative: self.representative,
             merge: self.merge,
-        }
-    }
-}
-
-/// Options of the contract that are still to come: known by name, refused with a reason.
-#[derive(Debug, Args)]
-pub struct LaterArgs {
-    #[arg(long, hide = true)]
-    compensate: bool,
-}
-
-impl LaterArgs {
-    /// Refuses the first of them that is given.
-    ///
-    /// # Errors
-    /// One is given.
-    pub fn check(&self) -> Result<(), Error> {
-        match self.compensate {
-            true => Err(Error::Usage("--compensate is not supported yet; leave it out".to_owned())),
-            false => Ok(()),
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::render::Settings;
 use crate::study::{Experiment, Run, options};
 
 /// Those that a setting is made of.
-const NAMES: [&str; 19] = [
+const NAMES: [&str; 20] = [
     "method",
     "vpls",
     "bounces",
@@ -31,6 +31,7 @@ const NAMES: [&str; 19] = [
     "direct",
     "light-samples",
     "clamp",
+    "compensate",
     "edge-samples",
 ];
 

@@ -202,6 +202,48 @@ pub struct PathParams {
     /// The probability of an emitting sphere over its mean radiance, its sides and its squared
     /// radius; 0 if emission that the next segment finds does not count.
     pub solid_density: f32,
+    /// On the geometry term, of bias compensation.
+    pub bound: f32,
+    /// Unused.
+    pub pad: u32,
+}
+
+/// Parameters of the pass that starts bias compensation.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct StartParams {
+    /// Visible points.
+    pub points: u32,
+    /// The first 8 × 8 block of the tile.
+    pub first_block: u32,
+    /// Of the random numbers.
+    pub seed: u32,
+    /// Unused.
+    pub pad: u32,
+}
+
+/// Parameters of the pass that adds what bias compensation gives back.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct CompensatedParams {
+    /// Visible points.
+    pub points: u32,
+    /// Of a path in the mean.
+    pub share: f32,
     /// Unused.
     pub pad: [u32; 2],
+}
+
+/// What arrives at a vertex of bias compensation in scenes with Phong surfaces, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct ArrivalRecord {
+    /// Throughput by the diffuse part of the vertex before.
+    pub diffuse: [f32; 3],
+    /// Geometry term of the segment.
+    pub diffuse_g: f32,
+    /// Throughput by its lobe.
+    pub glossy: [f32; 3],
+    /// The geometry term times the lobe over a diffuse one.
+    pub glossy_g: f32,
 }

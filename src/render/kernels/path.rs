@@ -3,12 +3,12 @@
 use super::{Plan, camera_rays, follow, has_kind, kept, lights_of, sky, surfaces, view};
 use crate::gpu::module::{
     BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
-    FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS, NO_ROULETTE, PATH, PATH_BACKGROUND,
-    PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION,
-    PATH_EMISSION_ANY, PATH_EXACT, PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND, PATH_NO_EMISSION,
-    PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG, ROULETTE, SAMPLING,
-    SCATTER_DIFFUSE, SCATTER_PHONG, SPHERE_CONE, THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES,
-    VIEW_KEPT, VIEW_NONE,
+    FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS, NO_ROULETTE, PATH, PATH_BACK,
+    PATH_BACKGROUND, PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT,
+    PATH_EMISSION, PATH_EMISSION_ANY, PATH_EXACT, PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND,
+    PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG,
+    ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, SPHERE_CONE, THROUGHPUT_NONE,
+    THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, LightKind, Settings, Sky, Target};
@@ -20,7 +20,8 @@ pub fn camera(target: Target) -> Program {
     Program::new("paths, camera", modules)
 }
 
-fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
+/// What passes at the vertices of paths share, and how surfaces scatter light there.
+pub(super) fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
     let (first, rays) = ([&TYPES, &SAMPLING, &HEMISPHERE], surfaces::rays(target));
     let path = [&PATH, &PATH_STATE, &PATH_RANDOM, surfaces::albedo(target.features)];
     [&first[..], &rays, &path, &scatter(target), last].concat()
@@ -47,12 +48,21 @@ pub fn emit(target: Target) -> Program {
 /// Shadow rays to the lights of a kind; none to a constant environment, which the next segment
 /// finds as well.
 pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
+    next_event_by(target, kind, &[&PATH_BACK])
+}
+
+/// The same with what tells how much of the light paths bring back.
+pub(super) fn next_event_by(
+    target: Target,
+    kind: LightKind,
+    back: &[&'static Module],
+) -> Option<Program> {
     // What shines evenly from everywhere is found by the next segment alone.
     let even = kind == LightKind::Environment && target.features.sky != Sky::Image;
     if even || !has_kind(target, kind) {
         return None;
     }
-    let mut last = lights_of(target, kind);
+    let mut last = [&lights_of(target, kind)[..], back].concat();
     match kind.is_exact() {
         true => last.extend([&CHOOSE_LIGHT, &PATH_LIGHT, &PATH_EXACT]),
         false => last.extend([&PATH_LIGHT, &MIS, &PATH_SAMPLED]),
@@ -70,6 +80,13 @@ pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
 
 /// The next segment of paths, in a scene with or without surfaces that emit.
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
+    let mut last = segments(target, bounces, areas);
+    last.push(&PATH_SEGMENT);
+    Program::new("paths, segment", vertex(target, &last))
+}
+
+/// How segments of paths go on and end, and what light they happen upon.
+pub(super) fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static Module> {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = follow(target);
     last.extend([survival, surfaces::glow(target.features)]);
@@ -93,8 +110,7 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
             last.extend([&ENVIRONMENT_IMAGE, &ENVIRONMENT_CELLS, &PATH_BACKGROUND_WEIGHTED]);
         }
     }
-    last.push(&PATH_SEGMENT);
-    Program::new("paths, segment", vertex(target, &last))
+    last
 }
 
 /// How many paths go on.

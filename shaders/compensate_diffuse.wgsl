@@ -1,0 +1,30 @@
+// What bias compensation carries along its paths where all surfaces are diffuse: the throughput,
+// with the share that the bound took on each segment so far.
+
+alias Carried = vec3f;
+
+// What goes on from the vertex of a path in a direction that was drawn.
+fn carried_on(slot: u32, point: Point, albedo: vec3f, drawn: Scattered) -> Carried {
+    return paths[slot].throughput * drawn.weight;
+}
+
+fn all_carried(carried: Carried) -> vec3f {
+    return carried;
+}
+
+// What arrives at the next vertex by a segment of this geometry term; whether it is anything.
+fn arrive(slot: u32, carried: Carried, next: Point, throughput: vec3f, g: f32) -> bool {
+    let left = carried * throughput * removed_share(g);
+    paths[slot].throughput = left;
+    return max(left.x, max(left.y, left.z)) > 0.0;
+}
+
+// No light from farther away is removed: G <= cos / d^2 <= b.
+fn farthest(point: Point, direction: vec3f) -> f32 {
+    return sqrt(max(dot(point.normal, direction), 0.0) / params.bound);
+}
+
+// What comes back of light that a vertex gathers from a unit direction.
+fn gathered_back(slot: u32, point: Point, toward: vec3f, gathered: Gathered) -> vec3f {
+    return paths[slot].throughput * reflected(point, albedo_of(slot, point), gathered);
+}

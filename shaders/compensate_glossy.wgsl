@@ -1,0 +1,72 @@
+// What bias compensation carries along its paths where some surfaces are glossy. The bound is on
+// the geometry term times the lobe of each end over a diffuse one, so that what it took of a
+// segment depends on which lobes reflect at both ends: light that comes by the diffuse part of a
+// vertex and by its lobe goes on apart, and is weighed where the next vertex reflects.
+
+alias Carried = Arrival;
+
+// Throughput by the diffuse part and by the lobe of the vertex before, each with the geometry term
+// of the segment times that lobe.
+struct Arrival {
+    diffuse: vec3f,
+    diffuse_g: f32,
+    glossy: vec3f,
+    glossy_g: f32,
+}
+
+@group(0) @binding(28) var<storage, read_write> arrivals: array<Arrival>;
+
+fn lobe_over_diffuse(point: Point, toward: vec3f) -> f32 {
+    let receiver = receiver_of(point);
+    return receiver.peak * lobe(receiver.mirrored, toward, receiver.shininess);
+}
+
+// The throughput of light that the vertex reflects by a lobe of this value.
+fn removed_by(slot: u32, here: f32) -> vec3f {
+    // Nothing is removed before the visible point.
+    if params.bounce == 0u { return vec3f(1.0); }
+    let arrival = arrivals[slot];
+    return arrival.diffuse * removed_share(arrival.diffuse_g * here)
+        + arrival.glossy * removed_share(arrival.glossy_g * here);
+}
+
+fn carried_on(slot: u32, point: Point, albedo: vec3f, drawn: Scattered) -> Carried {
+    let here = lobe_over_diffuse(point, drawn.direction);
+    let above = dot(point.normal, drawn.direction) > 0.0;
+    let weight = select(0.0, 1.0 / (PI * drawn.density), above);
+    return Arrival(
+        removed_by(slot, 1.0) * albedo * weight,
+        1.0,
+        removed_by(slot, here) * specular_of(point) * (here * weight),
+        here,
+    );
+}
+
+fn all_carried(carried: Carried) -> vec3f {
+    return carried.diffuse + carried.glossy;
+}
+
+fn arrive(slot: u32, carried: Carried, next: Point, throughput: vec3f, g: f32) -> bool {
+    let arrival = Arrival(
+        carried.diffuse * throughput,
+        carried.diffuse_g * g,
+        carried.glossy * throughput,
+        carried.glossy_g * g,
+    );
+    arrivals[slot] = arrival;
+    let peak = max(receiver_of(next).peak, 1.0);
+    let most = arrival.diffuse * removed_share(arrival.diffuse_g * peak)
+        + arrival.glossy * removed_share(arrival.glossy_g * peak);
+    return max(most.x, max(most.y, most.z)) > 0.0;
+}
+
+// Lobes see far.
+fn farthest(point: Point, direction: vec3f) -> f32 {
+    return HUGE;
+}
+
+fn gathered_back(slot: u32, point: Point, toward: vec3f, gathered: Gathered) -> vec3f {
+    let diffuse = removed_by(slot, 1.0) * gathered[0].rgb * albedo_of(slot, point);
+    let here = lobe_over_diffuse(point, toward);
+    return (diffuse + removed_by(slot, here) * gathered[1].rgb * specular_of(point)) / PI;
+}

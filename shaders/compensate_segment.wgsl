@@ -1,0 +1,69 @@
+// The next segment of each path of bias compensation. It goes on with what the bound took from the
+// light along it, which is something only where the segment is short; what the segment happens
+// upon that emits is light straight from its source, which no bound is on.
+
+@group(0) @binding(4) var<storage, read_write> points: array<Point>;
+@group(0) @binding(22) var<storage, read_write> paths: array<Path>;
+@group(0) @binding(23) var<storage, read> queue: array<u32>;
+@group(0) @binding(24) var<storage, read_write> survivors: array<u32>;
+
+// Scrambles what decides at mirrors and glass.
+const TURN_STREAM = 0x7475726eu;
+// So dense is no other way to the same place.
+const CERTAIN = 1e15;
+
+// The geometry term between two points.
+fn geometry(here: Point, there: Point) -> f32 {
+    let d = there.position - here.position;
+    let square = dot(d, d);
+    let cosines = max(dot(d, here.normal), 0.0) * max(-dot(d, there.normal), 0.0);
+    return cosines / max(square * square, 1e-37);
+}
+
+// No invocation returns early: a subgroup may trace its rays together.
+@compute @workgroup_size(64)
+fn main(
+    @builtin(global_invocation_id) id: vec3u,
+    @builtin(local_invocation_index) invocation: u32,
+) {
+    let slot = queue[min(id.x, params.paths - 1u)];
+    let point = points[slot];
+    let stream = paths[slot].stream;
+    let albedo = albedo_of(slot, point);
+    let drawn = scatter(point, albedo, path_random(slot, stream, BOUNCE_DIMENSIONS));
+    let carried = carried_on(slot, point, albedo, drawn);
+    let all = all_carried(carried);
+    let probability = survival(all);
+    let lives = path_random(slot, stream, ROULETTE_DIMENSIONS).x < probability;
+    let is = id.x < params.paths && lives;
+    let first = params.bounce == 0u;
+    // A segment from the visible point finds no light; the slack is of the ray's offset.
+    let far = min(1.01 * farthest(point, drawn.direction) + 4.0 * params.offset, HUGE);
+    let limit = select(0.0, select(HUGE, far, first), is);
+    let origin = point.position + params.offset * point.normal;
+    let sight = follow(
+        origin, drawn.direction, limit, params.nodes, params.offset, params.first_sample,
+        hash(stream ^ hash(TURN_STREAM + params.bounce)), invocation,
+    );
+    let hit = sight.hit;
+    let throughput = throughput_of(sight) / probability;
+    // No shadow ray would have gone this way if it was turned.
+    let density =
+        select(drawn.density * dot(point.normal, drawn.direction), CERTAIN, is_turned(sight));
+    var goes_on = false;
+    if is && hit.triangle != NOTHING {
+        let next = hit_point(hit, sight.direction);
+        // The light of virtual point lights comes by no mirror: nothing is removed of what a
+        // vertex sees in one, and the visible point has none of it.
+        let turned = select(HUGE, 0.0, first);
+        let g = select(geometry(point, next), turned, is_turned(sight));
+        keep_albedo(slot, hit, next);
+        keep_glow(slot, hit, next);
+        find_emission(slot, all * throughput, point, hit, next, sight.direction, density);
+        goes_on = arrive(slot, carried, next, throughput, g);
+        points[slot] = with_view(next, sight.direction);
+    } else if is {
+        find_background(slot, all * throughput, sight.direction, density);
+    }
+    if id.x < params.paths { survivors[id.x] = select(NOTHING, slot, goes_on); }
+}

@@ -1,0 +1,218 @@
+//! Bias compensation: gives back the light that the bound on the geometry term removes, by paths
+//! from the visible points. Kollig and Keller, "Illumination in the Presence of Weak
+//! Singularities", 2004.
+//!
+//! With the bound b, virtual point lights (VPLs) give the share min(G, b) / G of the light that
+//! goes from one surface to another. A segment from a visible point, in a direction drawn as the
+//! surface scatters, brings back the rest: max(0, G - b) / G of the light that its other end
+//! reflects. That light is, as at any visible point, direct light, what VPLs give under the bound,
+//! and, recursively, what the bound removes there. Nearly all segments end at once, as only short
+//! ones have G > b.
+//!
+//! Bounces are counted: the vertex after k segments has direct light if k is at most B, and light
+//! of VPLs that light has reached in at most B - k bounces.
+
+use std::time::{Duration, Instant};
+
+use super::film::Tile;
+use super::kernels::compensate as programs;
+use super::light_set::{self, VPL_BUFFER};
+use super::merge::VirtualLight;
+use super::path::stages::next_event;
+use super::path::vertices::{Queue, Vertices};
+use super::path::{finding_light, finds_light, path_params};
+use super::stages::{Buffers, Stage};
+use super::vpl::Vpl;
+use super::{Bounces, Prepared, Settings};
+use crate::gpu::{
+    ArrivalRecord, CompensatedParams, GpuError, PathParams, PointRecord, StartParams,
+};
+use crate::sampling::hash;
+
+/// Paths of a pixel, over all its samples.
+const PATHS_OF_PIXEL: u32 = 16;
+/// Keeps the random numbers apart from those of other passes.
+const STREAM: u32 = 0x636f_6d70;
+
+/// Gives back, tile by tile, what the bound on the geometry term removes.
+#[derive(Debug)]
+pub struct Compensation {
+    bound: f32,
+    bounces: Bounces,
+    /// Paths of each visible point.
+    paths: u32,
+    seed: u32,
+    /// How many VPLs light has reached in at most so many bounces.
+    vpls_within: Vec<u32>,
+    vertices: Vertices,
+    queue: Queue,
+    start: Stage,
+    lights: Vec<(Stage, u32)>,
+    vpls: Stage,
+    segment: Stage,
+    /// Adds what was given back to the radiance of the visible points.
+    add: Stage,
+}
+
+impl Compensation {
+    /// For tiles of at most so many visible points, whose light of `vpls` has this bound.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn new(
+        prepared: &Prepared,
+        settings: &Settings,
+        seed: u32,
+        vpls: &[Vpl],
+        bound: f32,
+        tile: &Buffers,
+        points: usize,
+    ) -> Result<Self, GpuError> {
+        let gpu = &prepared.gpu;
+        let vertices = Vertices::new(prepared, points)?;
+        let (by_bounce, vpls_within) = by_bounces(vpls, prepared);
+        let table = light_set::table(prepared, &by_bounce)?;
+        let arrivals = match prepared.features.phong {
+            true => Some(gpu.storage::<ArrivalRecord>("arrivals", points)?),
+            false => None,
+        };
+        let mut named = vertices.named(prepared);
+        named.push((VPL_BUFFER, &table));
+        named.extend(arrivals.iter().map(|buffer| ("arrivals", buffer)));
+        named.push(("film", tile.radiance.as_ref().unwrap_or(&tile.film)));
+        let target = prepared.target();
+        let areas = prepared.lights.have_surfaces();
+        let bind = |program| Stage::new(prepared, &program, &named);
+        Ok(Self {
+            bound,
+            bounces: settings.bounces,
+            paths: PATHS_OF_PIXEL.div_ceil(settings.samples),
+            seed: hash(seed ^ STREAM),
+            vpls_within,
+            queue: Queue::new(prepared, &named, points)?,
+            start: bind(programs::start())?,
+            lights: next_event(prepared, &named, &|kind| programs::next_event(target, kind))?,
+            vpls: bind(programs::vpls(target))?,
+            segment: bind(programs::segment(target, settings.bounces, areas))?,
+            add: bind(programs::compensated())?,
+            vertices,
+        })
+    }
+
+    /// Adds to the radiance of the visible points of a tile what the bound has removed.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn give_back(
+        &self,
+        prepared: &Prepared,
+        buffers: &Buffers,
+        tile: Tile,
+    ) -> Result<Duration, GpuError> {
+        let start = Instant::now();
+        prepared.gpu.clear(&[&self.vertices.radiance])?;
+        for path in 0..self.paths {
+            self.trace(prepared, buffers, tile, tile.sample * self.paths + path)?;
+        }
+        let params = CompensatedParams {
+            points: tile.points(),
+            share: 1.0 / self.paths as f32,
+            pad: [0; 2],
+        };
+        self.add.run(prepared, &params, [tile.blocks, 1])?;
+        Ok(start.elapsed())
+    }
+
+    /// One path from each visible point to its end, `number` in its pixel's sequence.
+    fn trace(
+        &self,
+        prepared: &Prepared,
+        buffers: &Buffers,
+        tile: Tile,
+        number: u32,
+    ) -> Result<(), GpuError> {
+        self.begin(prepared, buffers, tile)?;
+        let mut params = PathParams {
+            paths: tile.points(),
+            first_sample: number,
+            samples: 1,
+            bound: self.bound,
+            ..path_params(prepared)
+        };
+        params.paths = self.queue.survivors(prepared, &params)?;
+        while params.paths > 0 {
+            let groups = [params.paths.div_ceil(64), 1];
+            if params.bounce > 0 {
+                params = finding_light(prepared, params);
+                self.gather(prepared, &params)?;
+            }
+            let last = self.bounces == Bounces::Finite(params.bounce);
+            if last && !finds_light(&params) {
+                break;
+            }
+            self.segment.run(prepared, &params, groups)?;
+            if last {
+                break;
+            }
+            params.paths = self.queue.survivors(prepared, &params)?;
+            params.bounce += 1;
+        }
+        Ok(())
+    }
+
+    /// Puts a path at each visible point.
+    fn begin(&self, prepared: &Prepared, buffers: &Buffers, tile: Tile) -> Result<(), GpuError> {
+        let points = u64::from(tile.points());
+        let mut pairs = vec![[&buffers.points, &self.vertices.points]];
+        let mut bytes = vec![points * size_of::<PointRecord>() as u64];
+        for ((_, from), (_, to)) in buffers.kept.iter().zip(&self.vertices.kept) {
+            pairs.push([from, to]);
+            bytes.push(points * size_of::<[f32; 4]>() as u64);
+        }
+        prepared.gpu.copy(&pairs, &bytes)?;
+        let params = StartParams {
+            points: tile.points(),
+            first_block: tile.first_block,
+            seed: self.seed,
+            pad: 0,
+        };
+        self.start.run(prepared, &params, [tile.blocks, 1])?;
+        Ok(())
+    }
+
+    /// Light at the vertices of the queue: straight from its source, and of VPLs.
+    fn gather(&self, prepared: &Prepared, params: &PathParams) -> Result<(), GpuError> {
+        let groups = [params.paths.div_ceil(64), 1];
+        for (stage, lights) in &self.lights {
+            let params = PathParams { lights: *lights, ..*params };
+            stage.run(prepared, &params, groups)?;
+        }
+        let most = match self.bounces {
+            Bounces::Finite(most) => most.saturating_sub(params.bounce) as usize,
+            Bounces::Unlimited => usize::MAX,
+        };
+        let most = most.min(self.vpls_within.len() - 1);
+        let lights = self.vpls_within[most];
+        if lights > 0 {
+            self.vpls.run(prepared, &PathParams { lights, ..*params }, groups)?;
+        }
+        Ok(())
+    }
+}
+
+/// VPLs in the order of their bounces, and how many there are of at most 0, 1, 2, … bounces.
+fn by_bounces(vpls: &[Vpl], prepared: &Prepared) -> (Vec<VirtualLight>, Vec<u32>) {
+    let most = vpls.iter().map(|vpl| vpl.bounce).max().unwrap_or(0);
+    let mut within = vec![0; most as usize + 1];
+    for vpl in vpls {
+        within[vpl.bounce as usize] += 1;
+    }
+    let mut sum = 0;
+    for count in &mut within {
+        sum += *count;
+        *count = sum;
+    }
+    let mut order: Vec<&Vpl> = vpls.iter().collect();
+    order.sort_by_key(|vpl| vpl.bounce);
+    (order.into_iter().map(|vpl| VirtualLight::of(vpl, &prepared.scene)).collect(), within)
+}
