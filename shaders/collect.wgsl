@@ -14,8 +14,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let place = pixel % vec2u(s);
     let subset = (place.x + s * place.y + params.rotation) % (s * s);
     let from_point = subset * params.subset_points + point_of(pixel / vec2u(s), params.subset_width);
-    gathered[id.x] = irradiance[from_point];
     let index = point_of(pixel, params.width);
+    gathered[id.x] = with_given_back(index, irradiance[from_point]);
     let point = points[index];
     // Three bytes of normal, 0 where nothing is hit, and one of signature.
     let normal = select(point.normal, vec3f(0.0), point.surface == NOTHING);

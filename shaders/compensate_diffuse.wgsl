@@ -3,8 +3,10 @@
 
 alias Carried = vec3f;
 
-// What goes on from the vertex of a path in a direction that was drawn.
+// What goes on from the vertex of a path in a direction that was drawn; from a visible point, of
+// which irradiance is sought, as from one that weighs it by 1.
 fn carried_on(slot: u32, point: Point, albedo: vec3f, drawn: Scattered) -> Carried {
+    if params.bounce == 0u { return vec3f(1.0 / drawn.density); }
     return paths[slot].throughput * drawn.weight;
 }
 

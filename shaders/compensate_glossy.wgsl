@@ -23,17 +23,21 @@ fn lobe_over_diffuse(point: Point, toward: vec3f) -> f32 {
 
 // The throughput of light that the vertex reflects by a lobe of this value.
 fn removed_by(slot: u32, here: f32) -> vec3f {
-    // Nothing is removed before the visible point.
-    if params.bounce == 0u { return vec3f(1.0); }
     let arrival = arrivals[slot];
     return arrival.diffuse * removed_share(arrival.diffuse_g * here)
         + arrival.glossy * removed_share(arrival.glossy_g * here);
 }
 
+// What goes on from the vertex of a path in a direction that was drawn; from a visible point, of
+// which the irradiance that one lobe weighs is sought, by that lobe.
 fn carried_on(slot: u32, point: Point, albedo: vec3f, drawn: Scattered) -> Carried {
     let here = lobe_over_diffuse(point, drawn.direction);
     let above = dot(point.normal, drawn.direction) > 0.0;
     let weight = select(0.0, 1.0 / (PI * drawn.density), above);
+    if params.bounce == 0u {
+        let sought = PI * weight * vec2f(vec2u(params.lobe) == vec2u(0u, 1u));
+        return Arrival(vec3f(sought.x), 1.0, vec3f(here * sought.y), here);
+    }
     return Arrival(
         removed_by(slot, 1.0) * albedo * weight,
         1.0,

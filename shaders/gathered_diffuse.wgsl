@@ -3,6 +3,11 @@
 
 alias Gathered = vec4f;
 
+// Light gathered by a lobe, of which there is one.
+fn gathered_by(lobe: u32, light: vec4f) -> Gathered {
+    return light;
+}
+
 // The light of one, and what was removed from the other.
 fn with_removed(gathered: Gathered, other: Gathered) -> Gathered {
     return vec4f(gathered.rgb, other.w);

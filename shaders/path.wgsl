@@ -22,7 +22,8 @@ struct PathParams {
     solid_density: f32,
     // On the geometry term, of bias compensation.
     bound: f32,
-    pad: u32,
+    // By which the paths of bias compensation leave the visible point: 0 diffuse, 1 glossy.
+    lobe: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: PathParams;

@@ -139,6 +139,8 @@ pub mod module {
         SEPARATE = "separate" for "interleaved sampling";
         SIGNATURE_NONE = "signature_none";
         SIGNATURE_PROBED = "signature_probed" for "probes of visibility";
+        GIVEN_NONE = "given_none";
+        GIVEN_BACK = "given_back" for "bias compensation";
         COLLECT = "collect" for "interleaved sampling";
         COMBINE = "combine" for "interleaved sampling";
         SEEN_HARD = "seen_hard";

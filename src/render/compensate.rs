@@ -11,6 +11,9 @@
 //!
 //! Bounces are counted: the vertex after k segments has direct light if k is at most B, and light
 //! of VPLs that light has reached in at most B - k bounces.
+//!
+//! What paths from the camera do not find is not given back: light of lights without extent that
+//! mirrors or glass turn onto a surface, of which VPLs have the bounded share.
 
 use std::time::{Duration, Instant};
 
@@ -29,8 +32,9 @@ use crate::gpu::{
 };
 use crate::sampling::hash;
 
-/// Paths of a pixel, over all its samples.
-const PATHS_OF_PIXEL: u32 = 16;
+/// Paths of a pixel, over all its samples, where pixels combine what they have gathered, which takes
+/// the noise off; and where they do not.
+const PATHS_OF_PIXEL: [u32; 2] = [8, 32];
 /// Keeps the random numbers apart from those of other passes.
 const STREAM: u32 = 0x636f_6d70;
 
@@ -50,7 +54,7 @@ pub struct Compensation {
     lights: Vec<(Stage, u32)>,
     vpls: Stage,
     segment: Stage,
-    /// Adds what was given back to the radiance of the visible points.
+    /// Adds what was given back to what the visible points gather.
     add: Stage,
 }
 
@@ -79,14 +83,17 @@ impl Compensation {
         let mut named = vertices.named(prepared);
         named.push((VPL_BUFFER, &table));
         named.extend(arrivals.iter().map(|buffer| ("arrivals", buffer)));
-        named.push(("film", tile.radiance.as_ref().unwrap_or(&tile.film)));
+        let output = tile.compensated.as_ref().or(tile.irradiance.as_ref());
+        named.extend(output.map(|buffer| ("irradiance", buffer)));
+        let [combined, alone] = PATHS_OF_PIXEL;
+        let paths_of_pixel = if settings.interleaves() { combined } else { alone };
         let target = prepared.target();
         let areas = prepared.lights.have_surfaces();
         let bind = |program| Stage::new(prepared, &program, &named);
         Ok(Self {
             bound,
             bounces: settings.bounces,
-            paths: PATHS_OF_PIXEL.div_ceil(settings.samples),
+            paths: paths_of_pixel.div_ceil(settings.samples),
             seed: hash(seed ^ STREAM),
             vpls_within,
             queue: Queue::new(prepared, &named, points)?,
@@ -94,12 +101,12 @@ impl Compensation {
             lights: next_event(prepared, &named, &|kind| programs::next_event(target, kind))?,
             vpls: bind(programs::vpls(target))?,
             segment: bind(programs::segment(target, settings.bounces, areas))?,
-            add: bind(programs::compensated())?,
+            add: bind(programs::compensated(target))?,
             vertices,
         })
     }
 
-    /// Adds to the radiance of the visible points of a tile what the bound has removed.
+    /// Adds to what the visible points of a tile gather what the bound removes of it.
     ///
     /// # Errors
     /// The device fails.
@@ -110,26 +117,27 @@ impl Compensation {
         tile: Tile,
     ) -> Result<Duration, GpuError> {
         let start = Instant::now();
-        prepared.gpu.clear(&[&self.vertices.radiance])?;
-        for path in 0..self.paths {
-            self.trace(prepared, buffers, tile, tile.sample * self.paths + path)?;
+        prepared.gpu.clear(&buffers.compensated.iter().collect::<Vec<_>>())?;
+        for lobe in 0..prepared.target().lobes() as u32 {
+            prepared.gpu.clear(&[&self.vertices.radiance])?;
+            for path in 0..self.paths {
+                self.trace(prepared, buffers, tile, tile.sample * self.paths + path, lobe)?;
+            }
+            let (points, share) = (tile.points(), 1.0 / self.paths as f32);
+            let params = CompensatedParams { points, share, lobe, pad: 0 };
+            self.add.run(prepared, &params, [tile.blocks, 1])?;
         }
-        let params = CompensatedParams {
-            points: tile.points(),
-            share: 1.0 / self.paths as f32,
-            pad: [0; 2],
-        };
-        self.add.run(prepared, &params, [tile.blocks, 1])?;
         Ok(start.elapsed())
     }
 
-    /// One path from each visible point to its end, `number` in its pixel's sequence.
+    /// One path from each visible point to its end, `number` in its pixel's sequence, by a lobe.
     fn trace(
         &self,
         prepared: &Prepared,
         buffers: &Buffers,
         tile: Tile,
         number: u32,
+        lobe: u32,
     ) -> Result<(), GpuError> {
         self.begin(prepared, buffers, tile)?;
         let mut params = PathParams {
@@ -137,6 +145,7 @@ impl Compensation {
             first_sample: number,
             samples: 1,
             bound: self.bound,
+            lobe,
             ..path_params(prepared)
         };
         params.paths = self.queue.survivors(prepared, &params)?;

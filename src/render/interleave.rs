@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::film::{BLOCK, Tile, Tiling, pixel_of, point_of};
 use super::stages::{Named, Stage};
-use super::{Prepared, kernels};
+use super::{Prepared, Settings, kernels};
 use crate::gpu::{GpuError, InterleaveParams, PointRecord};
 
 /// Which pixels of a tile gather which subset of the VPLs, and their order: subset after
@@ -100,13 +100,13 @@ impl Interleave {
     /// The device refuses.
     pub fn new(
         prepared: &Prepared,
-        s: u32,
         tiling: &Tiling,
         tile: &[Named<'_>],
         combined: &wgpu::Buffer,
-        probed: bool,
+        settings: &Settings,
     ) -> Result<Self, GpuError> {
         let (gpu, target) = (&prepared.gpu, prepared.target());
+        let (s, probed) = (settings.interleave, settings.probes());
         let lobes = target.lobes();
         let most = (s * s * most_points(s, tiling)) as usize;
         let points = gpu.storage::<PointRecord>("interleaved points", most)?;
@@ -125,7 +125,8 @@ impl Interleave {
         let mut buffers = [&own[..], tile].concat();
         buffers.extend(signatures.as_ref().map(|signatures| ("signatures", signatures)));
         let separate = Stage::new(prepared, &kernels::separate(), &buffers)?;
-        let collect = Stage::new(prepared, &kernels::collect(target, probed), &buffers)?;
+        let collect = kernels::collect(target, probed, settings.compensates());
+        let collect = Stage::new(prepared, &collect, &buffers)?;
         let half = gpu.storage::<[f32; 4]>("half combined irradiance", pixels * lobes)?;
         let bind = |from_to: [Named<'_>; 2]| {
             Stage::new(prepared, &kernels::combine(target), &[&from_to[..], &buffers].concat())
@@ -222,7 +223,7 @@ mod tests {
     fn what_the_device_separates_it_collects_again() {
         let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
         let separate = gpu.compile(&kernels::separate()).unwrap();
-        let collect = gpu.compile(&kernels::collect(Target::plain(true), false)).unwrap();
+        let collect = gpu.compile(&kernels::collect(Target::plain(true), false, false)).unwrap();
         for (s, sample) in [(2, 0), (2, 1), (3, 1), (4, 3), (8, 5)] {
             let subsets = Subsets::of(s, 5, 15, sample);
             let params = subsets.params();

@@ -96,7 +96,11 @@ pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
         programs.extend(bounded.then(|| removed(target)));
         programs.extend(settings.shares_columns().then(expand));
         if settings.interleaves() {
-            programs.extend([separate(), collect(target, settings.probes()), combine(target)]);
+            programs.extend([
+                separate(),
+                collect(target, settings.probes(), settings.compensates()),
+                combine(target),
+            ]);
         }
         if settings.compensates() {
             programs.extend(compensate::needed(plan, settings));
@@ -177,7 +181,9 @@ pub fn all_programs() -> Vec<Program> {
         }
         programs.extend([visible_points(target), antialias(target), resolve(target)]);
         programs.extend([emit(target), reflect(target), removed(target), combine(target)]);
-        programs.extend([false, true].map(|probed| collect(target, probed)));
+        for probed in [false, true] {
+            programs.extend([false, true].map(|given| collect(target, probed, given)));
+        }
         programs.extend(background(target));
         let shown = [Method::Normal, Method::Depth, Method::Albedo];
         programs.extend(shown.into_iter().filter_map(|method| show(target, method)));

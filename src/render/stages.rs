@@ -26,6 +26,8 @@ pub struct Buffers {
     pub kept: Vec<Kept>,
     /// Irradiance of the kind of light being gathered.
     pub irradiance: Option<wgpu::Buffer>,
+    /// What bias compensation gives back, where it goes another way than into `irradiance`.
+    pub compensated: Option<wgpu::Buffer>,
     /// Radiance of the visible points of a sample, where edges are antialiased, or mirrors or glass
     /// may be in the way.
     pub radiance: Option<wgpu::Buffer>,
@@ -60,19 +62,21 @@ impl Buffers {
         points: usize,
         gathers: bool,
         clamps: bool,
-        edges: bool,
+        settings: &Settings,
         target: Target,
     ) -> Result<Self, GpuError> {
+        let edges = settings.antialiases();
+        let compensates = clamps && settings.compensates() && settings.interleaves();
         let specular = target.features.specular();
         let gpu = &prepared.gpu;
         let colours = |label: &str| gpu.storage::<[f32; 4]>(label, points);
+        let gathered = |label: &str| gpu.storage::<[f32; 4]>(label, points * target.lobes());
         Ok(Self {
             film: colours("film")?,
             points: gpu.storage::<PointRecord>("visible points", points)?,
             kept: keep(gpu, target.features, points)?,
-            irradiance: gathers
-                .then(|| gpu.storage::<[f32; 4]>("irradiance", points * target.lobes()))
-                .transpose()?,
+            irradiance: gathers.then(|| gathered("irradiance")).transpose()?,
+            compensated: compensates.then(|| gathered("compensated irradiance")).transpose()?,
             radiance: (edges || specular).then(|| colours("radiance")).transpose()?,
             energy: clamps.then(|| gpu.storage::<[f32; 2]>("energy", points)).transpose()?,
         })
@@ -85,6 +89,7 @@ impl Buffers {
         named.extend(prepared.environment());
         named.extend(self.radiance.as_ref().map(|buffer| ("radiance", buffer)));
         named.extend(self.irradiance.as_ref().map(|buffer| ("irradiance", buffer)));
+        named.extend(self.compensated.as_ref().map(|buffer| ("compensated", buffer)));
         named.extend(self.energy.as_ref().map(|buffer| ("energy", buffer)));
         named
     }
@@ -131,7 +136,7 @@ impl Stages {
         let gathers = direct || indirect;
         let edges = settings.antialiases();
         let target = prepared.target_of(settings);
-        let buffers = Buffers::new(prepared, points, gathers, clamps, edges, target)?;
+        let buffers = Buffers::new(prepared, points, gathers, clamps, settings, target)?;
         let on_film = buffers.named(prepared);
         // The first buffer of a name counts.
         let mut named = Vec::new();

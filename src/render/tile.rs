@@ -50,8 +50,8 @@ impl<'a> TileRenderer<'a> {
         let stages = Stages::new(prepared, points, settings, indirect.is_some(), clamps)?;
         let interleave = match (&stages.buffers.irradiance, indirect) {
             (Some(combined), Some(_)) if settings.interleaves() => {
-                let (s, named) = (settings.interleave, stages.buffers.named(prepared));
-                Some(Interleave::new(prepared, s, &tiling, &named, combined, settings.probes())?)
+                let named = stages.buffers.named(prepared);
+                Some(Interleave::new(prepared, &tiling, &named, combined, settings)?)
             }
             _ => None,
         };
@@ -63,7 +63,7 @@ impl<'a> TileRenderer<'a> {
     ///
     /// # Errors
     /// The device refuses.
-    pub fn compensate(&mut self, vpls: &[Vpl], bound: f32) -> Result<(), GpuError> {
+    pub fn give_back(&mut self, vpls: &[Vpl], bound: f32) -> Result<(), GpuError> {
         let (buffers, points) = (&self.stages.buffers, self.tiling.most_points() as usize);
         self.compensation = Some(Compensation::new(
             self.prepared,
@@ -148,7 +148,9 @@ impl<'a> TileRenderer<'a> {
             counts.visible_points = clustered.records.iter().filter(hit).count() as u64;
         }
         if removed > 0.0 {
-            counts.clamped_fraction = removed / (reflected + removed);
+            // What is reflected holds what was removed where that is given back.
+            let lost = if self.compensation.is_some() { 0.0 } else { removed };
+            counts.clamped_fraction = removed / (reflected + lost);
         }
         let finite = |pixel: &&[f32; 3]| !pixel.iter().all(|channel| channel.is_finite());
         counts.nonfinite_pixels = image.pixels.iter().filter(finite).count() as u64;
@@ -188,6 +190,7 @@ impl<'a> TileRenderer<'a> {
             let show = |share| progress(share, "indirect light");
             match &self.interleave {
                 Some(interleave) => {
+                    self.compensate(tile, phases, progress)?;
                     phases.shading += interleave.separate(self.prepared, tile)?;
                     let points = interleave.subsets(tile).points();
                     counts.shadow_rays += gather.gather(points, phases, &show)?;
@@ -195,6 +198,7 @@ impl<'a> TileRenderer<'a> {
                 }
                 None => {
                     self.clear_irradiance()?;
+                    self.compensate(tile, phases, progress)?;
                     counts.shadow_rays += gather.gather(tile.points(), phases, &show)?;
                 }
             }
@@ -204,8 +208,18 @@ impl<'a> TileRenderer<'a> {
                 phases.shading += self.run(stage, &(), groups)?;
             }
         }
+        Ok(())
+    }
+
+    /// What the bound on G removes, to what the visible points of a tile gather.
+    fn compensate(
+        &self,
+        tile: Tile,
+        phases: &mut Phases,
+        progress: Progress<'_>,
+    ) -> Result<(), GpuError> {
         if let Some(compensation) = &self.compensation {
-            progress(0.5, "compensation");
+            progress(0.0, "compensation");
             let buffers = &self.stages.buffers;
             phases.compensation += compensation.give_back(self.prepared, buffers, tile)?;
         }

@@ -204,8 +204,8 @@ pub struct PathParams {
     pub solid_density: f32,
     /// On the geometry term, of bias compensation.
     pub bound: f32,
-    /// Unused.
-    pub pad: u32,
+    /// By which the paths of bias compensation leave the visible point: 0 diffuse, 1 glossy.
+    pub lobe: u32,
 }
 
 /// Parameters of the pass that starts bias compensation.
@@ -230,8 +230,10 @@ pub struct CompensatedParams {
     pub points: u32,
     /// Of a path in the mean.
     pub share: f32,
+    /// See [`PathParams::lobe`].
+    pub lobe: u32,
     /// Unused.
-    pub pad: [u32; 2],
+    pub pad: u32,
 }
 
 /// What arrives at a vertex of bias compensation in scenes with Phong surfaces, 32 bytes.

@@ -1,6 +1,6 @@
 //! The programs of bias compensation.
 
-use super::gather::{lobes, vpl};
+use super::gather::{gathered, lobes, vpl};
 use super::path::{next_event_by, segments, vertex};
 use crate::gpu::module::{
     COMPENSATE_BACK, COMPENSATE_DIFFUSE, COMPENSATE_GLOSSY, COMPENSATE_SEGMENT, COMPENSATE_SHARE,
@@ -39,9 +39,9 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     Program::new("compensation, segment", vertex(target, &last))
 }
 
-/// What was given back, to visible points.
-pub fn compensated() -> Program {
-    Program::new("compensation", vec![&COMPENSATED])
+/// What was given back, to what visible points gather.
+pub fn compensated(target: Target) -> Program {
+    Program::new("compensation", vec![gathered(target), &COMPENSATED])
 }
 
 /// What is carried from vertex to vertex.
@@ -55,14 +55,14 @@ pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
     let target = plan.target();
     let mut programs = vec![start(), super::path::count(), super::path::compact()];
     programs.extend(plan.kinds().filter_map(|kind| next_event(target, kind)));
-    programs.extend([vpls(target), compensated()]);
+    programs.extend([vpls(target), compensated(target)]);
     programs.push(segment(target, settings.bounces, plan.lights.have_surfaces()));
     programs
 }
 
 /// Every program of bias compensation for a target.
 pub(super) fn all(target: Target) -> Vec<Program> {
-    let mut programs = vec![start(), compensated(), vpls(target)];
+    let mut programs = vec![start(), compensated(target), vpls(target)];
     programs.extend(LightKind::ALL.into_iter().filter_map(|kind| next_event(target, kind)));
     for areas in [false, true] {
         let kinds = [Bounces::Finite(1), Bounces::Unlimited];

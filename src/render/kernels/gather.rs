@@ -4,10 +4,11 @@ use super::surfaces::{self, shapes};
 use super::tracing::Tracing;
 use crate::gpu::module::{
     BITS, COLLECT, COMBINE, EMITTER_POINT, EMITTER_SURFACE, EXPAND, FINISH, GATHER,
-    GATHERED_DIFFUSE, GATHERED_PHONG, INTERLEAVED, LOBES_DIFFUSE, LOBES_PHONG, ONE_SURFACE,
-    PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PHONG, PIXELS, RAY, REFLECT, REMOVED,
-    ROW_CLUSTER, ROW_POINT, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE,
-    SHADE_GLOSSY, SIGNATURE_NONE, SIGNATURE_PROBED, TYPES, VIEW_KEPT, VPL_DIFFUSE, VPL_GLOSSY,
+    GATHERED_DIFFUSE, GATHERED_PHONG, GIVEN_BACK, GIVEN_NONE, INTERLEAVED, LOBES_DIFFUSE,
+    LOBES_PHONG, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PHONG,
+    PIXELS, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE,
+    SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE, SIGNATURE_PROBED, TYPES, VIEW_KEPT,
+    VPL_DIFFUSE, VPL_GLOSSY,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{LightKind, Plan, Target};
@@ -101,10 +102,11 @@ pub fn separate() -> Program {
 }
 
 /// Interleaved sampling: what points have gathered into rows of pixels, with signatures where
-/// their visibility is probed.
-pub fn collect(target: Target, probed: bool) -> Program {
+/// their visibility is probed, and with what bias compensation gives back.
+pub fn collect(target: Target, probed: bool, compensated: bool) -> Program {
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
-    let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, signature, &COLLECT];
+    let given = if compensated { &GIVEN_BACK } else { &GIVEN_NONE };
+    let modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, signature, given, &COLLECT];
     Program::new("collection", modules)
 }
 
