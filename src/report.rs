@@ -49,6 +49,8 @@ pub struct Report {
     /// In 1/length² of the scene file's units; null when off or unused.
     pub clamp: Option<f64>,
     pub clamped_fraction: f64,
+    /// Whether that share of the indirect light was given back.
+    pub compensated: bool,
     /// Root mean square over pixels and channels of the standard error of the pixels; null where
     /// there is none.
     pub standard_error: Option<f64>,
@@ -233,6 +235,7 @@ impl Report {
             peak_memory_bytes: peak_memory_bytes(),
             clamp: counts.clamp,
             clamped_fraction: counts.clamped_fraction,
+            compensated: settings.compensates(),
             standard_error: first.standard_error.as_ref().map(root_mean_square),
             nonfinite_pixels: counts.nonfinite_pixels,
             dropped_triangles: scene.dropped_triangles,

@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use crate::gpu::GpuError;
 use crate::image::Image;
 use crate::scene::Camera;
 
@@ -139,6 +140,19 @@ pub fn pixel_of(point: u32, first_block: u32, width: u32) -> [u32; 2] {
 pub fn point_of([x, y]: [u32; 2], width: u32) -> u32 {
     let spread = |x: u32| (x & 1) | (x & 2) << 1 | (x & 4) << 2;
     (y / 8 * width.div_ceil(8) + x / 8) * BLOCK + (spread(x) | spread(y) << 1)
+}
+
+/// A black image, if there is memory for one.
+pub fn blank([width, height]: [u32; 2]) -> Result<Image, GpuError> {
+    let count = width as usize * height as usize;
+    let mut pixels = Vec::new();
+    pixels.try_reserve_exact(count).map_err(|_| GpuError::ImageTooLarge {
+        width,
+        height,
+        bytes: (count * size_of::<[f32; 3]>()) as u64,
+    })?;
+    pixels.resize(count, [0.0; 3]);
+    Ok(Image { width, height, pixels })
 }
 
 #[cfg(test)]

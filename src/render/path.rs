@@ -11,9 +11,10 @@ pub(super) mod vertices;
 
 use std::time::{Duration, Instant};
 
-use super::tile::{blank, camera_params};
+use super::film::{BLOCK, blank};
+use super::tile::camera_params;
+use super::visibility::dispatch_rays;
 use super::{Bounces, Counts, Direct, Frame, Phases, Prepared, Progress, Settings};
-use super::{film::BLOCK, visibility::dispatch_rays};
 use crate::gpu::{CameraParams, GpuError, PathParams, PathSum};
 use crate::sampling::SURFACE_OFFSET;
 use crate::scene::Camera;

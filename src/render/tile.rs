@@ -4,7 +4,7 @@
 use std::time::{Duration, Instant};
 
 use super::compensate::Compensation;
-use super::film::{Tile, Tiling, develop};
+use super::film::{Tile, Tiling, blank, develop};
 use super::gathers::{Clustered, Gathers};
 use super::interleave::Interleave;
 use super::light_set::LightSet;
@@ -342,17 +342,4 @@ pub fn camera_params(
         offset: SURFACE_OFFSET,
         ..bytemuck::Zeroable::zeroed()
     }
-}
-
-/// A black image, if there is memory for one.
-pub fn blank([width, height]: [u32; 2]) -> Result<Image, GpuError> {
-    let count = width as usize * height as usize;
-    let mut pixels = Vec::new();
-    pixels.try_reserve_exact(count).map_err(|_| GpuError::ImageTooLarge {
-        width,
-        height,
-        bytes: (count * size_of::<[f32; 3]>()) as u64,
-    })?;
-    pixels.resize(count, [0.0; 3]);
-    Ok(Image { width, height, pixels })
 }
