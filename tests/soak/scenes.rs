@@ -1,6 +1,6 @@
 //! Random scenes: shapes of every kind, touching, coincident, flat and tiny; all lights and finishes.
 
-use glam::{DMat3, DVec3, Vec2, Vec3, dvec3};
+use glam::{DMat3, DVec3, Vec2, dvec3};
 use gpu_vpl::error::SceneError;
 use gpu_vpl::scene::environment::pack;
 use gpu_vpl::scene::{Environment, EnvironmentImage, Finish, Scene, Wrap};
@@ -37,19 +37,20 @@ pub fn scene(rng: &mut Rng) -> Result<Scene, SceneError> {
 
 fn material(rng: &mut Rng, build: &mut Build) -> u32 {
     let emission = if percent(rng, 20) { power(rng) } else { [0.0; 3] };
-    let albedo = reflectance(rng);
-    let material = build.material(albedo, emission, percent(rng, 30));
-    let specular = Vec3::from_array(reflectance(rng).map(|s| s as f32));
+    let specular = DVec3::from_array(reflectance(rng)).as_vec3();
     let finish = match rng.below(8) {
-        0 | 1 => {
-            let left = Vec3::ONE - DVec3::from_array(albedo).as_vec3();
-            let shininess = magnitude(rng, 1.0, 1e5) as f32;
-            Finish::Phong { specular: specular * left, shininess }
-        }
+        0 | 1 => Finish::Phong { specular, shininess: magnitude(rng, 1.0, 1e5) as f32 },
         2 => Finish::Mirror { specular },
         3 => Finish::Glass { specular, ior: between(rng, 0.1, 3.0) as f32 },
         _ => Finish::Diffuse,
     };
+    let left = match finish {
+        Finish::Phong { specular, .. } => (DVec3::ONE - specular.as_dvec3()).max(DVec3::ZERO),
+        Finish::Mirror { .. } | Finish::Glass { .. } => DVec3::ZERO,
+        Finish::Diffuse => DVec3::ONE,
+    };
+    let albedo = (DVec3::from_array(reflectance(rng)) * left).to_array();
+    let material = build.material(albedo, emission, percent(rng, 30));
     let mut texture = |rng: &mut Rng| percent(rng, 15).then(|| image(rng, build));
     let textures = [texture(rng), texture(rng), texture(rng)];
     let draft = &mut build.draft.materials[material as usize];
