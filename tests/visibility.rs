@@ -4,7 +4,7 @@ mod common;
 
 use common::Rng;
 use common::gather::{point, visible, visible_in, vpl};
-use common::tracing::{World, cube, soup};
+use common::tracing::{cube, soup, world_of_triangles};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::gpu::{PointRecord, VplRecord};
@@ -203,7 +203,7 @@ fn what_bounds_a_scene_blocks_nothing() {
         assert_eq!(count(&beside.blockers), 22, "a light beyond a wall");
 
         let literals = Some(literals);
-        let world = World { literals, ..World::of_triangles(&bvh) };
+        let world = World { literals, ..world_of_triangles(&bvh) };
         let (bits, _) = visible_in(&world, Tracing::Literals, &points, &vpls);
         let (mut differ, mut blocked) = (0, 0);
         for (j, vpl) in vpls.iter().enumerate() {

@@ -9,7 +9,8 @@ use gpu_vpl::render::Target;
 use gpu_vpl::render::kernels::{Emitter, Sharing, Tracing, rays_at_once, shade, visibility};
 use gpu_vpl::sampling::SURFACE_OFFSET;
 
-use super::tracing::World;
+use super::tracing::world_of_triangles;
+use gpu_vpl::study::extremes::checks::trace::World;
 
 pub fn point(position: Vec3, normal: Vec3) -> PointRecord {
     let (position, normal) = (position.to_array(), normal.to_array());
@@ -125,7 +126,7 @@ impl<'a> VisibilityPass<'a> {
         points: &[PointRecord],
         vpls: &[VplRecord],
     ) -> Self {
-        Self::in_world(gpu, tracing, &World::of_triangles(bvh), points, vpls)
+        Self::in_world(gpu, tracing, &world_of_triangles(bvh), points, vpls)
     }
 
     pub fn in_world(

@@ -1,8 +1,8 @@
 //! Recentring, scaling, rounding, and what is left out.
 
-use glam::{DVec3, dvec3};
+use glam::{DVec3, Vec3, dvec3};
 use gpu_vpl::error::SceneError;
-use gpu_vpl::scene::{Draft, DraftCamera, DraftMaterial, FovAxis, Origin, Scene};
+use gpu_vpl::scene::{Draft, DraftCamera, DraftMaterial, Finish, FovAxis, Origin, Scene};
 
 use super::{refused, warned};
 
