@@ -6,7 +6,7 @@ mod common;
 
 use std::f64::consts::PI;
 
-use common::gather::{point, visible_in, vpl};
+use common::gather::visible_in;
 use common::paths::mean_and_error;
 use common::tracing::{on_all_of, random_rays, soup, world_of};
 use common::{Build, Rng};
@@ -17,6 +17,7 @@ use gpu_vpl::render::kernels::Tracing;
 use gpu_vpl::render::{Bounces, Clamp, Method, Settings};
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::{Scene, Sphere, Triangle};
+use gpu_vpl::study::extremes::checks::gather::{point, vpl};
 use gpu_vpl::study::extremes::checks::trace::Answer;
 
 /// A scene of these shapes, as they are.

@@ -3,7 +3,7 @@
 mod common;
 
 use common::Rng;
-use common::gather::{point, visible, visible_in, vpl};
+use common::gather::{visible, visible_in};
 use common::tracing::{cube, soup, world_of_triangles};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
@@ -12,6 +12,7 @@ use gpu_vpl::render::kernels::Tracing;
 use gpu_vpl::render::literals::Literals;
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::Triangle;
+use gpu_vpl::study::extremes::checks::gather::{point, vpl};
 
 /// With literals for small scenes.
 fn kernels(bvh: &Bvh) -> Vec<Tracing> {
