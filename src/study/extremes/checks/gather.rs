@@ -35,6 +35,22 @@ pub struct Matrix<'a> {
     pub matrix_word: u32,
 }
 
+/// Irradiance of the same VPLs so many times over, each time on top of what is there.
+///
+/// # Errors
+/// The device fails.
+pub fn repeated(
+    gpu: &Gpu,
+    points: &[PointRecord],
+    vpls: &[VplRecord],
+    matrix: Matrix<'_>,
+    times: u32,
+) -> Result<Vec<[f32; 4]>, GpuError> {
+    let result = gpu.storage_of("irradiance", &vec![[0.0f32; 4]; points.len()])?;
+    add(gpu, None, points, vpls, matrix, &result, times)?;
+    gpu.read(&result, points.len())
+}
+
 /// Irradiance, and in w what the bound removed, on top of `before`.
 ///
 /// # Errors
@@ -47,6 +63,20 @@ pub fn irradiance(
     matrix: Matrix<'_>,
     before: [f32; 4],
 ) -> Result<Vec<[f32; 4]>, GpuError> {
+    let result = gpu.storage_of("irradiance", &vec![before; points.len()])?;
+    add(gpu, bound, points, vpls, matrix, &result, 1)?;
+    gpu.read(&result, points.len())
+}
+
+fn add(
+    gpu: &Gpu,
+    bound: Option<f32>,
+    points: &[PointRecord],
+    vpls: &[VplRecord],
+    matrix: Matrix<'_>,
+    result: &wgpu::Buffer,
+    times: u32,
+) -> Result<(), GpuError> {
     let target = Target::plain(gpu.has_subgroups());
     let kernel = gpu.compile(&shade(target, bound.is_some(), Sharing::Own, Emitter::Surface))?;
     let params = gpu.parameters::<ShadeParams>("params")?;
@@ -65,18 +95,19 @@ pub fn irradiance(
     // Filled up to whole words with lights of no intensity, as the renderer does.
     let mut whole = vpls.to_vec();
     whole.resize(vpls.len().next_multiple_of(32), VplRecord::zeroed());
-    let result = gpu.storage_of("irradiance", &vec![before; points.len()])?;
     let buffers = [
         ("params", &params),
         ("points", &gpu.storage_of("points", points)?),
         ("vpls", &gpu.storage_of("vpls", &whole)?),
         ("bits", &gpu.storage_of("bits", bits)?),
-        ("irradiance", &result),
+        ("irradiance", result),
     ];
     let bindings = gpu.bind(&kernel, &buffers)?;
     // With subgroups an invocation has four points.
     let each = if gpu.has_subgroups() { 4 * 64 } else { 64 };
     let workgroups = [points.len().div_ceil(each) as u32, 1];
-    gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }])?;
-    gpu.read(&result, points.len())
+    for _ in 0..times {
+        gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }])?;
+    }
+    Ok(())
 }

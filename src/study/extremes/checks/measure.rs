@@ -58,8 +58,16 @@ pub fn frame(gpu: &Gpu, scene: Scene, settings: &Settings) -> Result<Frame, Erro
 /// # Errors
 /// The device fails.
 pub fn frame_of(prepared: &Prepared, settings: &Settings) -> Result<Frame, Error> {
+    frame_seeded(prepared, settings, 1)
+}
+
+/// A frame of other random numbers.
+///
+/// # Errors
+/// The device fails.
+pub fn frame_seeded(prepared: &Prepared, settings: &Settings, seed: u32) -> Result<Frame, Error> {
     let camera = prepared.scene.camera;
-    Ok(render::frame(prepared, &camera, settings, 1, &|_, _| {})?)
+    Ok(render::frame(prepared, &camera, settings, seed, &|_, _| {})?)
 }
 
 /// The largest difference of two images over the mean of the second.

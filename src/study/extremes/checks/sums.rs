@@ -4,14 +4,14 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3, dvec3};
 
-use super::gather::{Matrix, irradiance, point, vpl};
+use super::gather::{Matrix, irradiance, point, repeated, vpl};
 use super::measure::{at_most, devices, frame_of, none, of, relative};
 use super::random::Rng;
 use super::stage::Stage;
 use crate::error::Error;
 use crate::gpu::{Gpu, PointRecord, VplRecord};
 use crate::render::{
-    Bounces, Clamp, Clustering, Direct, Method, Prepared, Settings, Vpl, light_paths,
+    Bounces, Clamp, Clustering, Direct, Method, Prepared, Settings, Vpl, chunk_words, light_paths,
 };
 use crate::study::extremes::{Figure, Scale};
 
@@ -117,8 +117,8 @@ pub fn at_the_point(gpu: &Gpu, _: Scale) -> Result<Vec<Figure>, Error> {
 /// A pixel that gathers a million VPLs, whose power spans nine orders of magnitude, against the
 /// sum in f64.
 ///
-/// A sum of n terms by blocks of 32, then 32 blocks, then chunks: 6e-8 for each addition of the
-/// longest chain is the most, and rounding goes both ways.
+/// Terms are summed by words of 32, words by chunks, then chunks: each addition may be off by 6e-8
+/// of the sum so far, and rounding goes both ways.
 pub fn many_terms(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
     const ALBEDO: [f64; 3] = [0.9, 0.03, 0.001];
     const BOUNCES: u32 = 4;
@@ -170,8 +170,36 @@ pub fn many_terms(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
                     .push(of(settings.method, relative(what, expected[channel], measured, 1e-5)));
             }
         }
+        figures.extend(equal_terms(kernel, &prepared.gpu, vpls.len())?);
     }
     Ok(figures)
+}
+
+/// Terms that are all the same are the worst: while a sum stays between two powers of two, each
+/// rounds it the same way. Points at different distances have terms of different roundings.
+fn equal_terms(kernel: &str, gpu: &Gpu, count: usize) -> Result<Vec<Figure>, Error> {
+    /// Points, for whose rows the renderer's bit matrix would be as for a small image.
+    const POINTS: u32 = 512;
+    let light = vpl(Vec3::Z, Vec3::NEG_Z, Vec3::new(1.0, 0.3, 7.0));
+    let at = |i: u32| point(Vec3::Z * (i as f32 / 1024.0), Vec3::Z);
+    let points: Vec<_> = (0..POINTS).map(at).collect();
+    // A dispatch adds a chunk of the renderer's bit matrix to what is there.
+    let words = chunk_words(count.div_ceil(32) as u32, POINTS) as usize;
+    let lights = vec![light; 32 * words];
+    let bits = vec![u32::MAX; words * points.len()];
+    let matrix = Matrix { bits: &bits, matrix_word: 0 };
+    let chunks = count.div_ceil(32 * words);
+    let terms = chunks * 32 * words;
+    let sums = repeated(gpu, &points, &lights, matrix, chunks as u32)?;
+    let mut off = 0.0f64;
+    for (sum, x) in sums.iter().zip(&points) {
+        for (got, intensity) in sum.iter().zip(light.intensity) {
+            let term = f64::from(intensity) * geometry(x, &light);
+            off = off.max((f64::from(*got) / (term * terms as f64) - 1.0).abs());
+        }
+    }
+    let what = format!("{terms} equal terms, {kernel} kernel, {POINTS} points");
+    Ok(vec![at_most(what, off, 1e-5)])
 }
 
 /// What the middle of the floor reflects of VPLs, all of which it sees.
