@@ -13,6 +13,7 @@ use gpu_vpl::render::literals::Literals;
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::Triangle;
 use gpu_vpl::study::extremes::checks::gather::{point, vpl};
+use gpu_vpl::study::extremes::checks::trace::World;
 
 /// With literals for small scenes.
 fn kernels(bvh: &Bvh) -> Vec<Tracing> {
