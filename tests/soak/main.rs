@@ -34,9 +34,6 @@ const LONG: usize = 100;
 /// buffers are megabytes, so that losing one in a hundred scenes is found within the hour.
 const GROWTH: u64 = 128 << 20;
 
-/// The methods, and with them shared rows of every number.
-const FUZZY: [u32; 4] = [1, 2, 3, 4];
-
 fn number(name: &str) -> Option<u64> {
     let text = std::env::var(name).ok()?;
     Some(text.parse().unwrap_or_else(|_| panic!("{name} is no number: {text}")))
@@ -75,7 +72,7 @@ impl Tally {
     }
 }
 
-/// A device, and whether it is shared by scenes one after the other.
+/// Devices that scenes share one after the other.
 #[derive(Debug, Default)]
 struct Devices {
     with_subgroups: Option<Gpu>,
@@ -183,8 +180,8 @@ fn prepare(number: u64, devices: &mut Devices, scene: &Scene, settings: &Setting
 fn shown(settings: &Settings) -> String {
     let (name, fuzzy) = (settings.method.name(), settings.clustering.fuzzy);
     match settings.method.clusters_points() && settings.method.is_indirect() {
-        true if FUZZY.contains(&fuzzy) => format!("{name}, fuzzy {fuzzy}"),
-        _ => name.to_owned(),
+        true => format!("{name}, fuzzy {fuzzy}"),
+        false => name.to_owned(),
     }
 }
 
