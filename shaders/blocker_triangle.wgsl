@@ -8,6 +8,8 @@ struct Blocker {
     ab: vec3f,
     normal: vec3f,
     height: f32,
+    // Of the volumes: see `volume_slack`.
+    slack: f32,
 }
 
 // From what is loaded of a shape.
@@ -22,6 +24,7 @@ fn blocker(p: vec3f, q: vec3f, r: vec3f, kind: u32, index: u32, origin: vec3f) -
         cross(b - a, b + a),
         normal,
         dot(normal, a),
+        volume_slack(a, b, c),
     );
 }
 
@@ -32,7 +35,8 @@ fn blocks(k: Blocker, d: vec3f) -> bool {
     let v = dot(k.ca, d);
     let w = dot(k.ab, d);
     let speed = dot(k.normal, d);
-    let one_side = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
+    let slack = k.slack * dot(abs(d), vec3f(1.0));
+    let one_side = min(u, min(v, w)) >= -slack || max(u, max(v, w)) <= slack;
     // 0 < height / speed < 1
     let between = k.height * speed > 0.0 && abs(k.height) < abs(speed);
     return one_side && between;

@@ -7,6 +7,8 @@ struct Ray {
     origin: vec3f,
     direction: vec3f,
     moment: vec3f,
+    // What volumes with edges of length 1 may be off.
+    slack: f32,
 }
 
 // The nearest triangle so far, and the volumes that the ray spans with its edges.
@@ -32,8 +34,9 @@ fn plane(ray: Ray, normal: vec3f, height: f32) -> f32 {
 }
 
 // Triangles come by index, so that of those at the same t the lowest stays.
-fn nearer(met: Met, t: f32, u: f32, v: f32, w: f32, triangle: u32) -> Met {
-    let one_side = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
+// What may be 0 counts as of either side: see `intersect` in ray.wgsl.
+fn nearer(met: Met, t: f32, u: f32, v: f32, w: f32, slack: f32, triangle: u32) -> Met {
+    let one_side = min(u, min(v, w)) >= -slack || max(u, max(v, w)) <= slack;
     let is = one_side && u + v + w != 0.0 && t > 0.0 && t < met.t;
     return Met(
         select(met.t, t, is),
@@ -57,7 +60,7 @@ fn traverse(
     any: bool,
     invocation: u32,
 ) -> Hit {
-    let met = meet_scene(Ray(origin, direction, cross(origin, direction)), limit);
-    let sum = met.volumes.x + met.volumes.y + met.volumes.z;
-    return Hit(met.t, met.triangle, met.volumes / select(sum, 1.0, met.triangle == NOTHING));
+    let slack = line_slack(origin) * dot(abs(direction), vec3f(1.0));
+    let met = meet_scene(Ray(origin, direction, cross(origin, direction), slack), limit);
+    return Hit(met.t, met.triangle, weights_of(met.volumes));
 }

@@ -47,21 +47,53 @@ struct Meeting {
     weights: vec3f,
 }
 
+// The rounding of the volume that a ray spans with an edge, over the largest coordinates of the
+// edge and of the corners and the sum of the direction's: a product of two vectors has 2 terms of
+// an edge and twice a corner, and 7 half ulps are lost on the way to the sum.
+const VOLUME_ROUNDING = 1.7e-6;
+
+fn largest(v: vec3f) -> f32 {
+    return max(v.x, max(v.y, v.z));
+}
+
+// For edges and corners: what their volumes may be off, for a direction whose coordinates sum to 1.
+fn volume_slack(a: vec3f, b: vec3f, c: vec3f) -> f32 {
+    let edges = max(abs(c - b), max(abs(a - c), abs(b - a)));
+    let corners = max(abs(a), max(abs(b), abs(c)));
+    return VOLUME_ROUNDING * largest(edges) * largest(corners);
+}
+
+// The same of lines that are given by direction and moment, for rays from this origin: 8 half ulps
+// of the moment, 6 of twice the origin.
+fn line_slack(origin: vec3f) -> f32 {
+    return 4.8e-7 + 7.2e-7 * largest(abs(origin));
+}
+
 // A ray with a triangle whose corners are given relative to its origin.
 // From the volumes that the ray spans with the edges: an edge gives exactly opposite volumes
 // to its two triangles, so that no ray slips between them. The Pluecker form of Woop, Benthin
-// and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013.
+// and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013. At a vertex the volumes of all its
+// edges are mere rounding, and any signs: what may be 0 counts as either.
 fn intersect(a: vec3f, b: vec3f, c: vec3f, direction: vec3f) -> Meeting {
     let volumes = vec3f(
         dot(cross(c - b, c + b), direction),
         dot(cross(a - c, a + c), direction),
         dot(cross(b - a, b + a), direction),
     );
+    let slack = volume_slack(a, b, c) * dot(abs(direction), vec3f(1.0));
     let least = min(volumes.x, min(volumes.y, volumes.z));
     let most = max(volumes.x, max(volumes.y, volumes.z));
     let normal = cross(b - a, c - a);
     let speed = dot(normal, direction);
-    let sum = volumes.x + volumes.y + volumes.z;
-    let inside = (least >= 0.0 || most <= 0.0) && speed != 0.0 && sum != 0.0;
-    return Meeting(dot(normal, a) / speed, inside, volumes / sum);
+    let weights = weights_of(volumes);
+    let inside = (least >= -slack || most <= slack) && speed != 0.0 && weights.x >= 0.0;
+    return Meeting(dot(normal, a) / speed, inside, weights);
+}
+
+// The weights of a triangle's corners, none below 0; -1 if there are none.
+fn weights_of(volumes: vec3f) -> vec3f {
+    let side = select(-1.0, 1.0, volumes.x + volumes.y + volumes.z >= 0.0);
+    let positive = max(side * volumes, vec3f(0.0));
+    let sum = positive.x + positive.y + positive.z;
+    return select(vec3f(-1.0), positive / sum, sum > 0.0);
 }

@@ -6,6 +6,8 @@ struct Ray {
     origin: vec3f,
     // The four segments.
     ways: mat3x4f,
+    // What their volumes with edges of length 1 may be off.
+    slack: vec4f,
 }
 
 alias Met = vec4<bool>;
@@ -27,9 +29,17 @@ fn plane(ray: Ray, normal: vec3f, height: f32) -> vec4<bool> {
     return (rest * speed > vec4f(0.0)) & (vec4f(abs(rest)) < abs(speed));
 }
 
-fn nearer(met: Met, between: vec4<bool>, u: vec4f, v: vec4f, w: vec4f, triangle: u32) -> Met {
-    let zero = vec4f(0.0);
-    let one_side = (min(u, min(v, w)) >= zero) | (max(u, max(v, w)) <= zero);
+// What may be 0 counts as of either side: see `intersect` in ray.wgsl.
+fn nearer(
+    met: Met,
+    between: vec4<bool>,
+    u: vec4f,
+    v: vec4f,
+    w: vec4f,
+    slack: vec4f,
+    triangle: u32,
+) -> Met {
+    let one_side = (min(u, min(v, w)) >= -slack) | (max(u, max(v, w)) <= slack);
     return met | (between & one_side);
 }
 
@@ -68,7 +78,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         rays += vec4u(open);
         let origin = vpl.position + params.offset * vpl.normal;
         let ways = positions + params.offset * normals - origins(origin);
-        let free = open & !meet_scene(Ray(origin, ways), 1.0);
+        let slack = line_slack(origin) * (abs(ways[0]) + abs(ways[1]) + abs(ways[2]));
+        let free = open & !meet_scene(Ray(origin, ways, slack), 1.0);
         seen |= vec4u(free) << vec4u(i);
     }
 

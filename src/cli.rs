@@ -14,7 +14,9 @@ use std::time::Instant;
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
+use crate::error::Error;
 use crate::gpu::AdapterChoice;
+use crate::render::{Frame, Settings};
 
 /// Headless global illumination with virtual point lights.
 #[derive(Debug, Parser)]
@@ -44,6 +46,20 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>, started: Instant) -> 
     }));
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     panic::catch_unwind(|| run(arguments, started)).unwrap_or(1)
+}
+
+/// Why the program would refuse these arguments, if it would.
+pub fn refusal(arguments: impl IntoIterator<Item = OsString>) -> Option<String> {
+    let refused = Cli::try_parse_from(arguments).err()?;
+    Some(parse::one_clause(&refused.to_string()))
+}
+
+/// What `--strict` makes of a frame.
+///
+/// # Errors
+/// It lacks something that the settings ask for, or has pixels that are not finite.
+pub fn strictly(frame: &Frame, settings: &Settings) -> Result<(), Error> {
+    render::strictly(frame, settings)
 }
 
 fn run(arguments: Vec<OsString>, started: Instant) -> u8 {

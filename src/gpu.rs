@@ -31,8 +31,8 @@ pub use timer::PassTime;
 /// for well under a second; the rest is for shader compilation and busy machines.
 const WAIT: Duration = Duration::from_secs(180);
 
-/// An open device.
-#[derive(Debug)]
+/// An open device. A clone is the same device.
+#[derive(Debug, Clone)]
 pub struct Gpu {
     /// What it is.
     pub info: AdapterInfo,
@@ -40,7 +40,7 @@ pub struct Gpu {
     queue: wgpu::Queue,
     subgroups: bool,
     /// Where the adapter has timestamps.
-    timer: Option<timer::Timer>,
+    timer: Option<Arc<timer::Timer>>,
     lost: Arc<AtomicBool>,
     /// Set from outside to stop at the next submission.
     interrupt: Arc<AtomicBool>,
@@ -80,7 +80,7 @@ impl Gpu {
         let subgroups = device.features().contains(wgpu::Features::SUBGROUP)
             && device.adapter_info().subgroup_min_size >= 8;
         let stamps = device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
-        let timer = stamps.then(|| timer::Timer::new(&device));
+        let timer = stamps.then(|| Arc::new(timer::Timer::new(&device)));
         let interrupt = Arc::default();
         Ok(Self { info, device, queue, subgroups, timer, lost, interrupt, uncaptured })
     }

@@ -40,6 +40,7 @@ pub use plan::Plan;
 pub use settings::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
 pub use vpl::{LightPaths, Vpl};
 
+pub use gather::chunk_words;
 use gathers::{Clustered, Gathers};
 use light_set::LightSet;
 pub use merge::{Gloss, VirtualLight, VplClusters};

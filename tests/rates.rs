@@ -8,7 +8,7 @@ mod common;
 
 use std::time::{Duration, Instant};
 
-use common::gather::{VisibilityPass, point, vpl};
+use common::gather::VisibilityPass;
 use glam::{Vec3, Vec3A};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::cluster::{Options, Points, kmeans};
@@ -17,6 +17,7 @@ use gpu_vpl::render::kernels::Tracing;
 use gpu_vpl::render::{Bounces, Clustering, LightPaths, Lights};
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::Scene;
+use gpu_vpl::study::extremes::checks::gather::{point, vpl};
 use obvhs::BvhBuildParams;
 use obvhs::cwbvh::builder::build_cwbvh_from_tris;
 use obvhs::rt_triangle::RtTriangle;

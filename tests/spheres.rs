@@ -6,9 +6,9 @@ mod common;
 
 use std::f64::consts::PI;
 
-use common::gather::{point, visible_in, vpl};
+use common::gather::visible_in;
 use common::paths::mean_and_error;
-use common::tracing::{Answer, World, on_all_of, random_rays, soup};
+use common::tracing::{on_all_of, random_rays, soup, world_of};
 use common::{Build, Rng};
 use glam::{DVec3, Vec3, dvec3};
 use gpu_vpl::bvh::Ray;
@@ -17,6 +17,8 @@ use gpu_vpl::render::kernels::Tracing;
 use gpu_vpl::render::{Bounces, Clamp, Method, Settings};
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::{Scene, Sphere, Triangle};
+use gpu_vpl::study::extremes::checks::gather::{point, vpl};
+use gpu_vpl::study::extremes::checks::trace::Answer;
 
 /// A scene of these shapes, as they are.
 fn scene_of(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Scene {
@@ -112,7 +114,7 @@ fn rays_meet_spheres() {
             };
             rays.push(Ray { origin: ray.0, direction: ray.1, limit: ray.2 });
         }
-        let world = World::of(&scene_of(Vec::new(), spheres.clone()));
+        let world = world_of(&scene_of(Vec::new(), spheres.clone()));
         let sides = on_all_of(&world, &rays, false);
         for (side, answers) in &sides {
             for (ray, answer) in rays.iter().zip(answers) {
@@ -141,7 +143,7 @@ fn triangles_and_spheres_in_one_hierarchy() {
         let spheres = random_spheres(&mut rng, spheres, 0.2);
         let rays = random_rays(&mut rng, 3000);
         let trace = |triangles: &[Triangle], spheres: &[Sphere], any| {
-            on_all_of(&World::of(&scene_of(triangles.to_vec(), spheres.to_vec())), &rays, any)
+            on_all_of(&world_of(&scene_of(triangles.to_vec(), spheres.to_vec())), &rays, any)
         };
         for any in [false, true] {
             let (flat, round) = (trace(&triangles, &[], any), trace(&[], &spheres, any));
@@ -179,7 +181,7 @@ fn triangles_and_spheres_in_one_hierarchy() {
 fn visibility_among_spheres() {
     let mut rng = Rng(3);
     let (triangles, spheres) = (soup(&mut rng, 20, 0.4), random_spheres(&mut rng, 20, 0.3));
-    let world = World::of(&scene_of(triangles, spheres.clone()));
+    let world = world_of(&scene_of(triangles, spheres.clone()));
     let mut place = || {
         let (sphere, out) = (&spheres[rng.below(spheres.len())], rng.direction());
         (sphere.center + sphere.radius * out, if rng.unit() < 0.8 { out } else { -out })
@@ -381,7 +383,7 @@ fn a_sphere_is_a_fine_polyhedron() {
 fn wrong_answers_are_seen() {
     let spheres = [Sphere { center: Vec3::ZERO, radius: 0.5, material: 2 }];
     let ray = Ray { origin: Vec3::new(0.1, 0.2, 2.0), direction: Vec3::NEG_Z, limit: f32::MAX };
-    let world = World::of(&scene_of(Vec::new(), spheres.to_vec()));
+    let world = world_of(&scene_of(Vec::new(), spheres.to_vec()));
     let right = on_all_of(&world, &[ray], false)[0].1[0];
     assert_eq!(fault(&spheres, &ray, &right), None);
     assert!(fault(&spheres, &ray, &Answer { t: right.t * 1.00001, ..right }).is_some());

@@ -4,7 +4,7 @@ mod common;
 
 use std::f64::consts::PI;
 
-use common::tracing::{World, on_all_of, random_rays};
+use common::tracing::{on_all_of, random_rays, world_of};
 use common::{Build, Rng, frame, gpu, open_gpu, render_scene};
 use glam::{DVec3, Vec2, Vec3, Vec4, dvec3};
 use gpu_vpl::bvh::{Bvh, Ray};
@@ -360,7 +360,7 @@ fn peel(scene: &Scene, whole: &Bvh, ray: &Ray) -> Option<f32> {
 #[test]
 fn rays_go_through_holes() {
     let [cut, whole] = [true, false].map(|cut| holey_scene(&mut Rng(5), cut));
-    let (world, whole_bvh) = (World::of(&cut), Bvh::of(&whole));
+    let (world, whole_bvh) = (world_of(&cut), Bvh::of(&whole));
     assert!(world.features.cutouts && world.features.spheres);
     let mut rays = random_rays(&mut Rng(6), 4000);
     for ray in &mut rays {

@@ -9,11 +9,12 @@
 mod common;
 
 use common::Rng;
-use common::tracing::{Answer, cube, on_all, on_host, random_rays, soup, triangle};
+use common::tracing::{cube, on_all, random_rays, soup, triangle};
 use glam::{DVec3, Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::gpu::PointRecord;
 use gpu_vpl::scene::Triangle;
+use gpu_vpl::study::extremes::checks::trace::{Answer, on_host};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Sure {
@@ -35,7 +36,16 @@ fn reference(ray: &Ray, triangle: &Triangle) -> Sure {
     let reach = a.length().max(b.length()).max(c.length());
     let edge = (b - a).length().max((c - b).length()).max((a - c).length());
     let error = ROUNDING * reach * (edge + reach * ROUNDING) * d.length();
-    if volumes.iter().any(|&v| v > error) && volumes.iter().any(|&v| v < -error) {
+    // What may be 0 by its rounding counts as of either side, so that vertices do not leak. The
+    // bound on the rounding is of the largest coordinates; against literals, it is of the distances
+    // to the origin of the scene.
+    let largest =
+        |of: [DVec3; 3]| of.map(|v| v.abs().max_element()).into_iter().fold(0.0, f64::max);
+    let farthest = largest(triangle.vertices.map(|v| v.as_dvec3())).max(1.0);
+    let origin = ray.origin.as_dvec3().abs().max_element();
+    let far = largest([a, b, c]).max((1.0 + origin) * farthest);
+    let counted = error + 1.7e-6 * largest([b - a, c - b, a - c]) * far * d.abs().element_sum();
+    if volumes.iter().any(|&v| v > counted) && volumes.iter().any(|&v| v < -counted) {
         return Sure::Miss;
     }
     let normal = (b - a).cross(c - a);

@@ -3,8 +3,8 @@
 mod common;
 
 use common::Rng;
-use common::gather::{point, visible, visible_in, vpl};
-use common::tracing::{World, cube, soup};
+use common::gather::{visible, visible_in};
+use common::tracing::{cube, soup, world_of_triangles};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::gpu::{PointRecord, VplRecord};
@@ -12,6 +12,8 @@ use gpu_vpl::render::kernels::Tracing;
 use gpu_vpl::render::literals::Literals;
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::Triangle;
+use gpu_vpl::study::extremes::checks::gather::{point, vpl};
+use gpu_vpl::study::extremes::checks::trace::World;
 
 /// With literals for small scenes.
 fn kernels(bvh: &Bvh) -> Vec<Tracing> {
@@ -203,7 +205,7 @@ fn what_bounds_a_scene_blocks_nothing() {
         assert_eq!(count(&beside.blockers), 22, "a light beyond a wall");
 
         let literals = Some(literals);
-        let world = World { literals, ..World::of_triangles(&bvh) };
+        let world = World { literals, ..world_of_triangles(&bvh) };
         let (bits, _) = visible_in(&world, Tracing::Literals, &points, &vpls);
         let (mut differ, mut blocked) = (0, 0);
         for (j, vpl) in vpls.iter().enumerate() {
@@ -232,4 +234,43 @@ fn wrong_bits_are_counted() {
     let closed = reference(&Bvh::build(&triangles), &points, &vpls);
     assert_eq!(open.1, closed.1);
     assert!(differing(&open.0, &closed.0) > 20, "a box without walls looks closed");
+}
+
+/// No VPL inside a closed surface is seen from outside, by no kernel, along rays through vertices and
+/// edges to the last bit.
+#[test]
+fn closed_surfaces_hide_what_is_inside() {
+    let mut rng = Rng(6);
+    let turn = Mat3::from_rotation_x(0.3) * Mat3::from_rotation_y(1.1);
+    for n in [1, 6] {
+        let triangles = cube(n, turn);
+        let bvh = Bvh::build(&triangles);
+        // So short that rays are not moved off by them, while they still tell the side.
+        const SHORT: f32 = 1e-20;
+        let vpls: Vec<VplRecord> =
+            (0..96).map(|_| vpl(0.3 * rng.cube(), SHORT * rng.direction(), Vec3::ONE)).collect();
+        let beyond = |rng: &mut Rng, index: usize| {
+            let light = &vpls[index % vpls.len()];
+            let (from, normal) = (Vec3::from(light.position), Vec3::from(light.normal));
+            loop {
+                let [a, b, _] = triangles[rng.below(triangles.len())].vertices;
+                let target = if index.is_multiple_of(2) { a } else { a + (b - a) * rng.unit() };
+                let way = target - from;
+                if way.dot(normal) > 0.0 {
+                    return point(from + 2.0 * way, -SHORT * way);
+                }
+            }
+        };
+        let points: Vec<PointRecord> = (0..9600).map(|i| beyond(&mut rng, i)).collect();
+        for kernel in kernels(&bvh) {
+            let (bits, rays) = visible(common::gpu(), kernel, &bvh, &points, &vpls, &[3]);
+            assert!(rays > 100_000, "{kernel:?}: {rays} rays");
+            let seen: u32 = bits.iter().map(|word| word.count_ones()).sum();
+            assert_eq!(seen, 0, "{kernel:?}, {n}: some of {rays} rays leak");
+        }
+        // A surface with a hole hides less.
+        let open = Bvh::build(&triangles[1..]);
+        let (bits, _) = visible(common::gpu(), Tracing::Single, &open, &points, &vpls, &[3]);
+        assert!(bits.iter().any(|&word| word != 0));
+    }
 }

@@ -34,24 +34,35 @@ impl TriangleRecord {
     }
 }
 
+/// The rounding of the volume that a ray spans with an edge, over the largest coordinates of the
+/// edge and of the corners and the sum of the direction's: a product of two vectors has 2 terms of
+/// an edge and twice a corner, and 7 half ulps are lost on the way to the sum.
+const VOLUME_ROUNDING: f32 = 1.7e-6;
+
 /// From the volumes that the ray spans with the edges. An edge gives exactly opposite volumes to
 /// its two triangles, so that no ray slips between them (Woop, Benthin and Wald, "Watertight
 /// Ray/Triangle Intersection", JCGT 2013; the form is that of Plücker coordinates, relative to the
-/// ray's origin).
+/// ray's origin). At a vertex the volumes of all its edges are mere rounding, and any signs: what
+/// may be 0 counts as either.
 fn meet_triangle(ray: &Ray, corners: [Vec3; 3]) -> Option<Meeting> {
     let [a, b, c] = corners.map(|corner| corner - ray.origin);
     let d = ray.direction;
     let u = (c - b).cross(c + b).dot(d);
     let v = (a - c).cross(a + c).dot(d);
     let w = (b - a).cross(b + a).dot(d);
-    if u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0 {
+    let edges = (c - b).abs().max((a - c).abs()).max((b - a).abs()).max_element();
+    let corners = a.abs().max(b.abs()).max(c.abs()).max_element();
+    let slack = VOLUME_ROUNDING * edges * corners * d.abs().element_sum();
+    if u.min(v).min(w) < -slack && u.max(v).max(w) > slack {
         return None;
     }
     let normal = (b - a).cross(c - a);
     let (height, speed) = (normal.dot(a), normal.dot(d));
     let t = height / speed;
+    let side = if u + v + w >= 0.0 { 1.0 } else { -1.0 };
+    let [u, v, w] = [u, v, w].map(|volume| (side * volume).max(0.0));
     let sum = u + v + w;
-    (speed != 0.0 && sum != 0.0 && t > 0.0).then(|| (t, [u / sum, v / sum, w / sum]))
+    (speed != 0.0 && sum > 0.0 && t > 0.0).then(|| (t, [u / sum, v / sum, w / sum]))
 }
 
 /// Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray

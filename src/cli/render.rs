@@ -19,7 +19,7 @@ use crate::error::{Error, OutputError};
 use crate::gpu::{Gpu, GpuError};
 use crate::image::Image;
 use crate::image::output::{Staged, commit};
-use crate::render::{Frame, Prepared};
+use crate::render::{Frame, Prepared, Settings};
 use crate::report::{Report, RunPhases, Seconds};
 use crate::scene::Scene;
 
@@ -68,6 +68,14 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
         print_phases(&report);
     }
     Ok(())
+}
+
+/// What `--strict` makes of a frame.
+///
+/// # Errors
+/// It lacks something that the settings ask for, or has pixels that are not finite.
+pub fn strictly(frame: &Frame, settings: &Settings) -> Result<(), Error> {
+    Warnings::new(true, true).check(frame, settings)
 }
 
 /// Sets the number of host threads, once in a process.

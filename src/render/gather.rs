@@ -16,6 +16,17 @@ use crate::gpu::{ExpandParams, GpuError, ShadeParams, VisibilityParams};
 /// Words of 32 VPLs in a chunk of the bit matrix: 8 MiB for a tile's points. Also fixes the
 /// order of the sums, so it is no matter of tuning.
 const CHUNK_WORDS: u32 = 32;
+/// Words of the bit matrix in a longer chunk, at most: 64 MiB.
+const MATRIX_WORDS: u32 = 1 << 24;
+
+/// Words in a chunk of so many, for so many rows. A sum over many chunks grows with each of them,
+/// and its rounding with it, which equal terms all round the same way: of a million VPLs in chunks
+/// of 32 words it is off by 1.5e-5. With as many words in a chunk as there are chunks both sums
+/// are short.
+pub fn chunk_words(words: u32, rows: u32) -> u32 {
+    words.isqrt().min(MATRIX_WORDS / rows.max(1)).max(CHUNK_WORDS)
+}
+
 /// Who has the rows of the bit matrix.
 #[derive(Debug)]
 enum Rows {
@@ -51,15 +62,17 @@ pub struct Gather<'a> {
     columns: Option<Stage>,
     /// One for each chunk of clusters' rows; one that is used again for points'.
     chunks: Vec<Chunk>,
+    /// Words of each of them, at most.
+    chunk_words: u32,
     tracer: Tracer<'a>,
 }
 
 /// The chunks of the bit matrix, in order.
-fn runs(lights: &LightSet) -> impl Iterator<Item = Run> + use<> {
+fn runs(lights: &LightSet, chunk_words: u32) -> impl Iterator<Item = Run> + use<> {
     let (subsets, all) = (lights.subsets, lights.words);
     (0..subsets).flat_map(move |subset| {
-        (0..all).step_by(CHUNK_WORDS as usize).map(move |word| {
-            let words = CHUNK_WORDS.min(all - word);
+        (0..all).step_by(chunk_words as usize).map(move |word| {
+            let words = chunk_words.min(all - word);
             Run { subset, first_word: subset * all + word, words }
         })
     })
@@ -146,11 +159,14 @@ impl<'a> Gather<'a> {
             let shade = Stage::new(prepared, &shade, &[&[bits], &shading[..]].concat())?;
             Ok::<_, GpuError>(Chunk { fill, shade })
         };
+        let chunk_words = chunk_words(lights.words, rows_count);
         let chunks = match clusters {
-            None => vec![chunk(CHUNK_WORDS.min(lights.words))?],
-            Some(_) => runs(&lights).map(|run| chunk(run.words)).collect::<Result<_, _>>()?,
+            None => vec![chunk(chunk_words.min(lights.words))?],
+            Some(_) => {
+                runs(&lights, chunk_words).map(|run| chunk(run.words)).collect::<Result<_, _>>()?
+            }
         };
-        Ok(Self { prepared, lights, rows, columns, chunks, tracer })
+        Ok(Self { prepared, lights, rows, columns, chunks, chunk_words, tracer })
     }
 
     /// Traces the rows of the clusters, once a frame; nothing for points. Returns the rays.
@@ -164,7 +180,7 @@ impl<'a> Gather<'a> {
     ) -> Result<u64, GpuError> {
         let Rows::Clusters { count, .. } = self.rows else { return Ok(0) };
         let mut rays = self.trace_columns(count, phases, progress)?;
-        for (chunk, run) in self.chunks.iter().zip(runs(&self.lights)) {
+        for (chunk, run) in self.chunks.iter().zip(runs(&self.lights, self.chunk_words)) {
             rays += self.fill(
                 chunk,
                 self.tracer.params(count, run.first_word, run.words),
@@ -217,7 +233,7 @@ impl<'a> Gather<'a> {
             Rows::Points => self.trace_columns(points, phases, progress)?,
             Rows::Clusters { .. } => 0,
         };
-        for (index, run) in runs(&self.lights).enumerate() {
+        for (index, run) in runs(&self.lights, self.chunk_words).enumerate() {
             let first_point = run.subset * points;
             let (chunk, rows) = match self.rows {
                 Rows::Clusters { count, .. } => (&self.chunks[index], count),

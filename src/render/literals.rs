@@ -142,8 +142,17 @@ impl Text {
         let height = normal.dot(a) as f32;
         let plane = self.value(format!("plane(ray, {}, {height:?})", Literal(normal)));
         let [u, v, w] = [(b, c), (c, a), (a, b)].map(|(from, to)| self.edge(from, to));
+        // What the rounding of the volumes is relative to: the edges, and the farthest corner where
+        // that is beyond the bounds of a scene.
+        let edges = [b - c, c - a, a - b].map(|edge| edge.abs().max_element());
+        let farthest = [a, b, c].map(|corner| corner.abs().max_element());
+        let largest = |of: [f64; 3]| of.into_iter().fold(0.0, f64::max);
+        let size = (largest(edges) * largest(farthest).max(1.0)) as f32;
         // Writing to a string does not fail.
-        let _ = writeln!(self.lines, "    met = nearer(met, v{plane}, {u}, {v}, {w}, {at}u);");
+        let _ = writeln!(
+            self.lines,
+            "    met = nearer(met, v{plane}, {u}, {v}, {w}, ray.slack * {size:?}, {at}u);"
+        );
     }
 
     /// The volume of an edge, which is the opposite in the other direction.

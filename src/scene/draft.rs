@@ -281,6 +281,10 @@ fn impossible(finish: &Finish, albedo: Vec3) -> Option<&'static str> {
         {
             Some("specular is not within 0 and 1")
         }
+        // Light would take no notice of it, but images of the reflectance would.
+        Finish::Mirror { .. } | Finish::Glass { .. } if albedo != Vec3::ZERO => {
+            Some("mirror and glass have no albedo; make it 0")
+        }
         Finish::Phong { specular, .. } if (specular + albedo).max_element() > 1.0 + ROUNDING => {
             Some("albedo and specular together exceed 1; lower one of them")
         }

@@ -1,31 +1,14 @@
 //! The visibility and the shading pass, run on records made by hand.
 
-use glam::Vec3;
 use gpu_vpl::bvh::Bvh;
-use gpu_vpl::gpu::{
-    Bindings, Gpu, Kernel, Pass, PointRecord, ShadeParams, VisibilityParams, VplRecord,
-};
+use gpu_vpl::gpu::{Bindings, Gpu, Kernel, Pass, PointRecord, VisibilityParams, VplRecord};
 use gpu_vpl::render::Target;
-use gpu_vpl::render::kernels::{Emitter, Sharing, Tracing, rays_at_once, shade, visibility};
+use gpu_vpl::render::kernels::{Emitter, Tracing, rays_at_once, visibility};
 use gpu_vpl::sampling::SURFACE_OFFSET;
+use gpu_vpl::study::extremes::checks::gather::{self as shading, Matrix};
+use gpu_vpl::study::extremes::checks::trace::World;
 
-use super::tracing::World;
-
-pub fn point(position: Vec3, normal: Vec3) -> PointRecord {
-    let (position, normal) = (position.to_array(), normal.to_array());
-    PointRecord { position, surface: 0, normal, depth: 0.0 }
-}
-
-pub fn vpl(position: Vec3, normal: Vec3, intensity: Vec3) -> VplRecord {
-    VplRecord {
-        position: position.to_array(),
-        pad0: 0.0,
-        normal: normal.to_array(),
-        pad1: 0.0,
-        intensity: intensity.to_array(),
-        mean: intensity.element_sum() / 3.0,
-    }
-}
+use super::tracing::world_of_triangles;
 
 /// Fills up to whole words with lights of no intensity, as the renderer does.
 fn whole_words(vpls: &[VplRecord]) -> Vec<VplRecord> {
@@ -38,8 +21,8 @@ fn workgroups(points: usize, four_a_lane: bool) -> u32 {
     points.div_ceil(if four_a_lane { 4 * 64 } else { 64 }) as u32
 }
 
-/// Irradiance, and in w what the bound removed, on top of `before`. `bits` has a word of 32
-/// VPLs for every point, then the next; they begin with the VPLs' word `matrix_word`.
+/// As the check's, with or without subgroups. `bits` has a word of 32 VPLs for every point, then
+/// the next; they begin with the VPLs' word `matrix_word`.
 pub fn irradiance(
     gpu: &Gpu,
     subgroups: bool,
@@ -49,33 +32,8 @@ pub fn irradiance(
     (bits, matrix_word): (&[u32], u32),
     before: [f32; 4],
 ) -> Vec<[f32; 4]> {
-    let target = Target::plain(subgroups);
-    let kernel =
-        gpu.compile(&shade(target, bound.is_some(), Sharing::Own, Emitter::Surface)).unwrap();
-    let params = gpu.parameters::<ShadeParams>("params").unwrap();
-    let count = points.len() as u32;
-    let record = ShadeParams {
-        points: count,
-        rows: count,
-        matrix_word,
-        words: bits.len() as u32 / count,
-        bound: bound.unwrap_or(0.0),
-        first_point: 0,
-        pad: [0; 2],
-    };
-    gpu.write(&params, &[record]).unwrap();
-    let result = gpu.storage_of("irradiance", &vec![before; points.len()]).unwrap();
-    let buffers = [
-        ("params", &params),
-        ("points", &gpu.storage_of("points", points).unwrap()),
-        ("vpls", &gpu.storage_of("vpls", &whole_words(vpls)).unwrap()),
-        ("bits", &gpu.storage_of("bits", bits).unwrap()),
-        ("irradiance", &result),
-    ];
-    let bindings = gpu.bind(&kernel, &buffers).unwrap();
-    let workgroups = [workgroups(points.len(), subgroups), 1];
-    gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
-    gpu.read(&result, points.len()).unwrap()
+    let gpu = if subgroups { gpu.clone() } else { gpu.clone().without_subgroups() };
+    shading::irradiance(&gpu, bound, points, vpls, Matrix { bits, matrix_word }, before).unwrap()
 }
 
 /// Who sees whom, and how many rays were traced. `slices` are the numbers of words that the
@@ -125,7 +83,7 @@ impl<'a> VisibilityPass<'a> {
         points: &[PointRecord],
         vpls: &[VplRecord],
     ) -> Self {
-        Self::in_world(gpu, tracing, &World::of_triangles(bvh), points, vpls)
+        Self::in_world(gpu, tracing, &world_of_triangles(bvh), points, vpls)
     }
 
     pub fn in_world(

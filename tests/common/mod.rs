@@ -12,13 +12,13 @@ pub mod tracing;
 
 use std::sync::OnceLock;
 
-use glam::{DVec3, Vec2, Vec3, dvec3};
+use glam::{DVec3, Vec2, dvec3};
 use gpu_vpl::gpu::{AdapterChoice, Gpu};
 use gpu_vpl::render::{self, Frame, Prepared, Settings};
 use gpu_vpl::scene::{
-    Draft, DraftCamera, DraftMaterial, DraftSphere, Finish, FovAxis, Origin, Scene, Texels,
-    Texture, Triangle,
+    Draft, DraftCamera, DraftMaterial, DraftSphere, Finish, FovAxis, Origin, Scene, Texels, Texture,
 };
+pub use gpu_vpl::study::extremes::checks::random::Rng;
 
 /// A device of one's own.
 pub fn open_gpu() -> Gpu {
@@ -29,57 +29,6 @@ pub fn open_gpu() -> Gpu {
 pub fn gpu() -> &'static Gpu {
     static GPU: OnceLock<Gpu> = OnceLock::new();
     GPU.get_or_init(open_gpu)
-}
-
-/// Random numbers by SplitMix64 (Steele, Lea and Flood, 2014), apart from the ones under test.
-#[derive(Debug)]
-pub struct Rng(pub u64);
-
-impl Rng {
-    pub fn bits(&mut self) -> u32 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 32) as u32
-    }
-
-    /// Uniform in [0, 1).
-    pub fn unit(&mut self) -> f32 {
-        (self.bits() >> 8) as f32 / (1 << 24) as f32
-    }
-
-    pub fn below(&mut self, n: usize) -> usize {
-        self.bits() as usize % n
-    }
-
-    /// Uniform in the cube [-1, 1]³.
-    pub fn cube(&mut self) -> Vec3 {
-        Vec3::new(self.unit(), self.unit(), self.unit()) * 2.0 - 1.0
-    }
-
-    /// Uniform on the unit sphere.
-    pub fn direction(&mut self) -> Vec3 {
-        loop {
-            let v = self.cube();
-            if (0.01..1.0).contains(&v.length_squared()) {
-                return v.normalize();
-            }
-        }
-    }
-
-    /// Uniform weights of a triangle's corners.
-    pub fn weights(&mut self) -> [f32; 3] {
-        let root = self.unit().sqrt();
-        let c = root * self.unit();
-        [1.0 - root, root - c, c]
-    }
-
-    /// A point on a triangle.
-    pub fn on(&mut self, triangle: &Triangle) -> Vec3 {
-        let ([a, b, c], [u, v, w]) = (triangle.vertices, self.weights());
-        a * u + b * v + c * w
-    }
 }
 
 /// A scene under construction: everything given in tame units, then scaled and moved in f64.

@@ -1,20 +1,20 @@
-// Traces an array of rays, for tests/traversal.rs.
+// Traces an array of rays: what they hit, or whether they hit anything.
 
-struct TestParams {
+struct TraceParams {
     rays: u32,
     nodes: u32,
     any: u32,
     pad: u32,
 }
 
-struct TestRay {
+struct TraceRay {
     origin: vec3f,
     limit: f32,
     direction: vec3f,
     pad: u32,
 }
 
-struct TestHit {
+struct TraceHit {
     weights: vec3f,
     t: f32,
     // In the scene, not in leaf order; NOTHING if there is no hit.
@@ -24,9 +24,9 @@ struct TestHit {
     pad1: u32,
 }
 
-@group(0) @binding(0) var<storage, read> params: TestParams;
-@group(0) @binding(3) var<storage, read> rays: array<TestRay>;
-@group(0) @binding(4) var<storage, read_write> hits: array<TestHit>;
+@group(0) @binding(0) var<storage, read> params: TraceParams;
+@group(0) @binding(3) var<storage, read> rays: array<TraceRay>;
+@group(0) @binding(4) var<storage, read_write> hits: array<TraceHit>;
 
 @compute @workgroup_size(64)
 fn main(
@@ -45,9 +45,9 @@ fn main(
     );
     if id.x >= params.rays { return; }
     if hit.triangle == NOTHING {
-        hits[id.x] = TestHit(vec3f(0.0), hit.t, NOTHING, NOTHING, 0u, 0u);
+        hits[id.x] = TraceHit(vec3f(0.0), hit.t, NOTHING, NOTHING, 0u, 0u);
         return;
     }
     let triangle = load_triangle(hit.triangle);
-    hits[id.x] = TestHit(hit.weights, hit.t, triangle.index, triangle.material, 0u, 0u);
+    hits[id.x] = TraceHit(hit.weights, hit.t, triangle.index, triangle.material, 0u, 0u);
 }

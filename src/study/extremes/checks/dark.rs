@@ -1,0 +1,93 @@
+//! A lit room beside a dark one: no method may let light through.
+
+use glam::{DVec3, dvec3};
+
+use super::measure::{at_most, frame_of, of};
+use super::stage::Stage;
+use crate::error::{Error, SceneError};
+use crate::gpu::Gpu;
+use crate::render::{Bounces, Method, Prepared, Settings};
+use crate::scene::Scene;
+use crate::study::extremes::{Figure, Scale};
+
+/// What parts the rooms.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Part {
+    /// One wall, on a floor and under a ceiling that go on.
+    Wall,
+    /// Two closed boxes that touch.
+    Touching,
+    /// Two closed boxes a ten thousandth of the scene apart.
+    Gap,
+}
+
+impl Part {
+    const ALL: [(Self, &str); 3] = [
+        (Self::Wall, "a wall on one floor"),
+        (Self::Touching, "boxes that touch"),
+        (Self::Gap, "boxes 1e-4 apart"),
+    ];
+
+    fn build(self, stage: &mut Stage, wall: u32) {
+        let low = dvec3(-1.0, -0.5, -0.5);
+        let apart = if self == Self::Gap { 2e-4 } else { 0.0 };
+        if self == Self::Wall {
+            stage.cuboid(wall, low, dvec3(1.0, 0.5, 0.5), true);
+            let corner = |y, z| dvec3(0.0, y, z);
+            stage.quad(
+                wall,
+                [corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)],
+            );
+        } else {
+            stage.cuboid(wall, low, dvec3(0.0, 0.5, 0.5), true);
+            stage.cuboid(wall, dvec3(apart, -0.5, -0.5), dvec3(1.0 + apart, 0.5, 0.5), true);
+        }
+    }
+}
+
+/// The image of the dark room is exactly 0: at every scale, wherever the scene is, with lamps in
+/// the lit room that touch the wall, shine along the floor towards it, and stand at its foot.
+pub fn rooms(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
+    let full = scale == Scale::Full;
+    let places =
+        [(1.0, DVec3::ZERO), (1e-6, DVec3::ZERO), (1e6, DVec3::ZERO), (1.0, dvec3(1e6, -1e6, 1e6))];
+    let few = if full { &places[..] } else { &places[..1] };
+    let mut figures = Vec::new();
+    for (part, name) in Part::ALL {
+        // The small size has each place with one of the walls.
+        let places = if part == Part::Gap { &places[..] } else { few };
+        for &(unit, offset) in places {
+            let scene = dark_room(part, unit, offset, if full { [128, 96] } else { [24, 16] })?;
+            let settings = |method| Settings {
+                light_paths: if full { 20_000 } else { 1000 },
+                bounces: Bounces::Finite(3),
+                ..Settings::of(method)
+            };
+            let prepared = Prepared::new(gpu.clone(), scene, &settings(Method::Vpl))?;
+            for method in [Method::Vpl, Method::Vplc, Method::Vpc, Method::Both, Method::Path] {
+                let frame = frame_of(&prepared, &settings(method))?;
+                let most = frame.image.pixels.iter().flatten().fold(0.0f32, |a, b| a.max(b.abs()));
+                let what =
+                    format!("{name}, scale {unit:e}, at {:e}: largest pixel", offset.length());
+                figures.push(of(method, at_most(what, f64::from(most), 0.0)));
+            }
+        }
+    }
+    Ok(figures)
+}
+
+fn dark_room(part: Part, scale: f64, offset: DVec3, size: [u32; 2]) -> Result<Scene, SceneError> {
+    let mut stage = Stage::at(scale, offset);
+    let wall = stage.material([0.8; 3], [0.0; 3])?;
+    let lamp = stage.material([0.5; 3], [100.0; 3])?;
+    part.build(&mut stage, wall);
+    let corner = |y, z| dvec3(-1e-4, y, z);
+    stage
+        .quad(lamp, [corner(-0.5, -0.5), corner(-0.5, -0.4), corner(0.5, -0.4), corner(0.5, -0.5)]);
+    stage.point_light(dvec3(-0.9, 0.1, -0.5 + 1e-3), [1.0; 3]);
+    stage.point_light(dvec3(-1e-3, 0.2, -0.5 + 1e-3), [1.0; 3]);
+    stage.point_light(dvec3(-1e-5, -0.2, 0.0), [1.0; 3]);
+    // Towards the foot of the wall.
+    stage.camera(dvec3(0.6, 0.0, -0.2), dvec3(-0.6, 0.05, -0.28), 80.0, size);
+    stage.scene()
+}
