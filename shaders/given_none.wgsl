@@ -3,3 +3,7 @@
 fn with_given_back(point: u32, light: Gathered) -> Gathered {
     return light;
 }
+
+fn without_given_back(point: u32, light: Gathered) -> Gathered {
+    return light;
+}

@@ -93,7 +93,8 @@ pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
             shade(target, bounded, settings.sharing(), Emitter::Surface),
             reflect(target),
         ]);
-        programs.extend(bounded.then(|| removed(target)));
+        let combined = settings.compensates() && settings.interleaves();
+        programs.extend(bounded.then(|| removed(target, combined)));
         programs.extend(settings.shares_columns().then(expand));
         if settings.interleaves() {
             programs.extend([
@@ -180,7 +181,8 @@ pub fn all_programs() -> Vec<Program> {
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
         programs.extend([visible_points(target), antialias(target), resolve(target)]);
-        programs.extend([emit(target), reflect(target), removed(target), combine(target)]);
+        programs.extend([emit(target), reflect(target), combine(target)]);
+        programs.extend([false, true].map(|given| removed(target, given)));
         for probed in [false, true] {
             programs.extend([false, true].map(|given| collect(target, probed, given)));
         }

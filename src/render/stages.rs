@@ -169,7 +169,7 @@ impl Stages {
                 .collect::<Result<_, GpuError>>()?,
             direct: tables.map(with_lights).collect::<Result<_, GpuError>>()?,
             reflect: when(gathers, kernels::reflect(target))?,
-            removed: when(clamps, kernels::removed(target))?,
+            removed: when(clamps, kernels::removed(target, buffers.compensated.is_some()))?,
             buffers,
         })
     }

@@ -148,9 +148,8 @@ impl<'a> TileRenderer<'a> {
             counts.visible_points = clustered.records.iter().filter(hit).count() as u64;
         }
         if removed > 0.0 {
-            // What is reflected holds what was removed where that is given back.
-            let lost = if self.compensation.is_some() { 0.0 } else { removed };
-            counts.clamped_fraction = removed / (reflected + lost);
+            // With compensation, whose noise is taken off again, little more than 0 may be below it.
+            counts.clamped_fraction = removed / (f64::max(reflected, 0.0) + removed);
         }
         let finite = |pixel: &&[f32; 3]| !pixel.iter().all(|channel| channel.is_finite());
         counts.nonfinite_pixels = image.pixels.iter().filter(finite).count() as u64;
@@ -198,15 +197,17 @@ impl<'a> TileRenderer<'a> {
                 }
                 None => {
                     self.clear_irradiance()?;
-                    self.compensate(tile, phases, progress)?;
                     counts.shadow_rays += gather.gather(tile.points(), phases, &show)?;
                 }
             }
-            counts.shading_terms += gather.terms(u64::from(tile.points()));
-            phases.shading += self.reflect(groups)?;
             if let Some(stage) = &self.stages.removed {
                 phases.shading += self.run(stage, &(), groups)?;
             }
+            if self.interleave.is_none() {
+                self.compensate(tile, phases, progress)?;
+            }
+            counts.shading_terms += gather.terms(u64::from(tile.points()));
+            phases.shading += self.reflect(groups)?;
         }
         Ok(())
     }

@@ -51,6 +51,7 @@ pub fn settings(rng: &mut Rng, method: Method, pixels: u32, scale: f64) -> Setti
             _ => Clamp::At(magnitude(rng, 1e-6, 1e6) / (scale * scale)),
         },
         samples,
+        compensate: percent(rng, 50),
         edge_samples: count(rng, 1, 64),
         clustering: clustering(rng),
         interleave: if percent(rng, 50) { 1 } else { count(rng, 1, Settings::MOST_INTERLEAVE) },

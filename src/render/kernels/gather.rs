@@ -154,9 +154,10 @@ pub fn reflect(target: Target) -> Program {
     Program::new("reflection", modules)
 }
 
-/// What the clamp removed.
-pub fn removed(target: Target) -> Program {
+/// What the clamp removed, where points have gathered what bias compensation gives back or not.
+pub fn removed(target: Target, compensated: bool) -> Program {
+    let given = if compensated { &GIVEN_BACK } else { &GIVEN_NONE };
     let albedo = surfaces::albedo(target.features);
-    let modules = [&[&TYPES][..], &lobes(target), &[albedo, &REMOVED]].concat();
+    let modules = [&[&TYPES][..], &lobes(target), &[albedo, given, &REMOVED]].concat();
     Program::new("clamped energy", modules)
 }
