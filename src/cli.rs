@@ -15,6 +15,7 @@ use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
 use crate::gpu::AdapterChoice;
+pub use study::front;
 
 /// Headless global illumination with virtual point lights.
 #[derive(Debug, Parser)]

@@ -12,6 +12,7 @@ pub use aov::Aov;
 pub use args::RenderArgs;
 use job::Job;
 use outputs::{Outputs, Shown};
+pub use warnings::of_frame as warnings_of_frame;
 use warnings::Warnings;
 
 use super::console;
