@@ -223,6 +223,11 @@ fn case(family: &Table, member: Table) -> Result<Case, String> {
         None => Table::new(),
     };
     set.extend(member);
+    // What is set may hold placeholders of the others.
+    let others = set.clone();
+    for value in set.iter_mut().map(|(_, value)| value) {
+        *value = filled(value, &others)?;
+    }
     let mut table = family.clone();
     table.insert("set".to_owned(), Value::Table(Table::new()));
     let mut value = filled(&Value::Table(table), &set)?;

@@ -222,8 +222,9 @@ fn judge_outcome(
         figures.push(exact(rendered.method, what, 0.0, rendered.nonfinite as f64));
     }
     if let Some(text) = &case.warns {
-        let told = rendered.warnings.iter().filter(|warning| warning.contains(text)).count();
-        figures.push(exact(rendered.method, &format!("warnings of \"{text}\""), 1.0, told as f64));
+        let told = rendered.warnings.iter().any(|warning| warning.contains(text));
+        let what = format!("a warning of \"{text}\"");
+        figures.push(exact(rendered.method, &what, 1.0, f64::from(u8::from(told))));
     }
     // A method's variants are told apart by what was measured.
     let variant = |mut figure: Figure| {

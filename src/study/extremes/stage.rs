@@ -134,7 +134,7 @@ fn files(text: &SceneText, own: &Table, bake: &Bake) -> Result<BTreeMap<String, 
 }
 
 /// The words of several lists of options, of which a later one replaces an earlier one of its
-/// name.
+/// name. `default` is as if it was not given.
 fn merged(lists: &[&str]) -> Vec<String> {
     let mut options: Vec<Vec<&str>> = Vec::new();
     for word in lists.iter().flat_map(|list| list.split_whitespace()) {
@@ -147,7 +147,9 @@ fn merged(lists: &[&str]) -> Vec<String> {
     let mut kept: Vec<Vec<&str>> = Vec::new();
     for option in options {
         kept.retain(|earlier| name(earlier) != name(&option));
-        kept.push(option);
+        if option.get(1) != Some(&"default") {
+            kept.push(option);
+        }
     }
     kept.concat().into_iter().map(str::to_owned).collect()
 }
@@ -160,6 +162,6 @@ mod tests {
     fn a_later_option_replaces_an_earlier_one() {
         let lists = ["--method=vpl", "--vpls 10 --seed 3", "--vpls 20 --strict", "--method path"];
         assert_eq!(merged(&lists).join(" "), "--seed 3 --vpls 20 --strict --method path");
-        assert!(merged(&[""]).is_empty());
+        assert!(merged(&["", "--vpls 10", "--vpls default"]).is_empty());
     }
 }
