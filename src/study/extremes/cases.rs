@@ -239,7 +239,10 @@ fn case(family: &Table, member: Table) -> Result<Case, String> {
 
 /// A value whose placeholders are filled in. A string that is nothing but one becomes what it
 /// stands for.
-fn filled(value: &Value, set: &Table) -> Result<Value, String> {
+///
+/// # Errors
+/// One of them is not set.
+pub fn filled(value: &Value, set: &Table) -> Result<Value, String> {
     Ok(match value {
         Value::String(text) => match text.strip_prefix('$').and_then(|name| set.get(name)) {
             Some(whole) => whole.clone(),

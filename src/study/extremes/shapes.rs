@@ -6,6 +6,7 @@ use std::fmt::{Display, Write};
 /// The OBJ text of a shape: its name and its numbers.
 ///
 /// - `sphere SEGMENTS RINGS`: the unit sphere, its front outside;
+/// - `ball SEGMENTS RINGS X Y Z R`: the same about another centre, of another radius;
 /// - `grid N`: the square [-1, 1]² at z = 0 in N² cells, its front above;
 /// - `room N`: the cube [-1, 1]³ in 6 N² cells, its front inside;
 /// - `slivers N WIDTH`: the same square as `grid`, with N strips of that width in its middle;
@@ -20,6 +21,16 @@ pub fn obj(description: &str) -> Result<String, String> {
     let made = match words[..] {
         ["sphere", segments, rings] => {
             number(segments).zip(number(rings)).map(|(segments, rings)| sphere(segments, rings))
+        }
+        ["ball", segments, rings, x, y, z, radius] => {
+            let place = [x, y, z, radius].map(|text| text.parse::<f64>().ok());
+            let ball = |(segments, rings)| match place {
+                [Some(x), Some(y), Some(z), Some(radius)] => {
+                    Some(ball(segments, rings, [x, y, z], radius))
+                }
+                _ => None,
+            };
+            number(segments).zip(number(rings)).and_then(ball)
         }
         ["grid", n] => number(n).map(grid),
         ["room", n] => number(n).map(room),
@@ -59,12 +70,17 @@ impl Obj {
 }
 
 fn sphere(segments: u32, rings: u32) -> Obj {
+    ball(segments, rings, [0.0; 3], 1.0)
+}
+
+fn ball(segments: u32, rings: u32, center: [f64; 3], size: f64) -> Obj {
     let mut obj = Obj::default();
     let at = |segment: u32, ring: u32| {
         let (around, down) = (TAU * f64::from(segment % segments), PI * f64::from(ring));
         let (around, down) = (around / f64::from(segments), down / f64::from(rings));
         let radius = if ring == rings { 0.0 } else { down.sin() };
-        [radius * around.cos(), radius * around.sin(), down.cos()]
+        let place = [radius * around.cos(), radius * around.sin(), down.cos()];
+        [0, 1, 2].map(|axis| center[axis] + size * place[axis])
     };
     // Both poles and the seam have a vertex for each segment; the cells there lose a triangle.
     for ring in 0..=rings {
@@ -161,11 +177,11 @@ mod tests {
             let lines = |start| text.lines().filter(|line| line.starts_with(start)).count();
             (lines("v "), lines("f "))
         };
-        assert_eq!(count("sphere 8 4"), (45, 32));
+        assert_eq!((count("sphere 8 4"), count("ball 8 4 1 2 3 0.5")), ((45, 32), (45, 32)));
         assert_eq!(count("grid 3"), (16, 9));
         assert_eq!(count("room 2"), (54, 24));
         assert_eq!(count("slivers 5 1e-6"), (16, 7));
         assert_eq!((count("star 5"), count("fan 5")), ((10, 1), (11, 10)));
-        assert!(["", "grid", "grid 0", "cube 3", "grid x"].iter().all(|text| obj(text).is_err()));
+        assert!(["", "grid", "grid 0", "cube 3", "grid x", "ball 8 4 1 2 3 r"].iter().all(|text| obj(text).is_err()));
     }
 }

@@ -6,7 +6,7 @@ use std::fs;
 use toml::Table;
 
 use super::bake::Bake;
-use super::cases::{Case, Cases, Like, SceneText, fill};
+use super::cases::{Case, Cases, Like, SceneText, fill, filled};
 use super::{Scale, shapes};
 use crate::error::{Error, SceneError};
 use crate::render::{Frame, Settings};
@@ -68,22 +68,19 @@ impl Staging {
         let mut bake = case.bake;
         let (mut name, mut shown) = (&case.scene, method);
         let own = case.of.get(method).cloned().unwrap_or_default();
-        let mut options = vec![&*case.options, &*own.options];
-        let mut full = vec![&*case.full, &*own.full];
+        let mut options = vec![[&case.options, &case.full], [&own.options, &own.full]];
         if let Some(like) = like {
             set.extend(like.set.clone());
             bake = like.bake;
             name = like.scene.as_ref().unwrap_or(name);
             shown = like.method.as_deref().unwrap_or(method);
-            options.push(&like.options);
-            full.push(&like.full);
+            options.push([&like.options, &like.full]);
         }
-        if scale == Scale::Full {
-            options.extend(full);
-        }
+        let levels = if scale == Scale::Full { 2 } else { 1 };
+        let options = options.iter().flat_map(|of| of[..levels].iter().map(|text| text.as_str()));
         let variant = VARIANTS.iter().find(|(name, _)| *name == shown);
         let method = variant.map_or(format!("--method={shown}"), |(_, words)| (*words).to_owned());
-        options.insert(0, &method);
+        let options: Vec<_> = [method.as_str()].into_iter().chain(options).collect();
         let text = cases.scenes.get(name).ok_or_else(|| format!("there is no scene `{name}`"))?;
         Ok(Self { files: files(text, &set, &bake)?, words: merged(&options) })
     }
@@ -117,8 +114,12 @@ impl Staging {
 }
 
 fn files(text: &SceneText, own: &Table, bake: &Bake) -> Result<BTreeMap<String, String>, String> {
-    let mut set = text.set.clone();
-    set.extend(own.clone());
+    let mut set = own.clone();
+    for (name, value) in &text.set {
+        if !set.contains_key(name) {
+            set.insert(name.clone(), filled(value, own)?);
+        }
+    }
     let set = &set;
     let mut files = BTreeMap::new();
     files.insert(SCENE.to_owned(), bake.scene(&fill(&text.toml, set)?)?);
