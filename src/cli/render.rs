@@ -12,8 +12,8 @@ pub use aov::Aov;
 pub use args::RenderArgs;
 use job::Job;
 use outputs::{Outputs, Shown};
-pub use warnings::of_frame as warnings_of_frame;
 use warnings::Warnings;
+pub use warnings::of_frame as warnings_of_frame;
 
 use super::console;
 use crate::error::{Error, OutputError};

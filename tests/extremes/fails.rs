@@ -1,10 +1,11 @@
-//! The judge fails what is off: cases whose expectation is wrong by little.
+//! What is off by little is told from what is right, for every kind of expectation.
 
 use gpu_vpl::study::extremes::{Cases, Judged, Scale, Verdict};
 
 use super::runner;
 
-/// A plate that emits 2, seen by all pixels, and one that is not seen.
+/// A plate that emits 2 and fills the image; the same with half of it brighter; one that no file
+/// holds.
 const START: &str = r#"
 row = []
 [scenes.plate]
@@ -21,11 +22,31 @@ file = "a.obj"
 material = "plate"
 '''
 shapes = { "a.obj" = "grid 1" }
+[scenes.halves]
+toml = '''
+[camera]
+position = [0, 0, 1]
+target = [0, 0, 0]
+fov = 20
+size = [4, 4]
+[materials.plate]
+emission = [2, 2, 2]
+[materials.other]
+emission = [2, 2, 2.001]
+[[mesh]]
+file = "a.obj"
+'''
+files = { "a.obj" = "v -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 1 -1 0\nv 1 1 0\nusemtl plate\nf 1 2 3 4\nusemtl other\nf 2 5 6 3\n" }
+[scenes.missing]
+toml = '''
+[[mesh]]
+file = "b.obj"
+'''
 [[case]]
 name = "case"
 row = "row"
-scene = "plate"
-methods = ["direct"]
+methods = ["direct", "both, hard"]
+options = "--vpls 16"
 "#;
 
 fn judged(rest: &str) -> Vec<Judged> {
@@ -33,46 +54,70 @@ fn judged(rest: &str) -> Vec<Judged> {
     runner(&cases, Scale::Small).run(&cases.cases[0]).unwrap()
 }
 
-fn verdicts(rest: &str) -> Vec<Verdict> {
-    judged(rest).iter().map(|judged| judged.verdict).collect()
+/// Both methods come to the same verdict.
+fn verdict(rest: &str) -> Verdict {
+    let judged = judged(rest);
+    let first = judged[0].verdict;
+    assert!(judged.iter().all(|judged| judged.verdict == first), "{rest}: {judged:?}");
+    first
 }
 
 #[test]
 fn an_expectation_that_is_off_by_little_is_caught() {
-    let (right, wrong) = (vec![Verdict::Right], vec![Verdict::Wrong]);
-    let within = "within = 1e-6\n";
-    for (sound, broken) in [
-        ("expect = { mean = 2 }", "expect = { mean = 2.0001 }"),
-        ("expect = { mean = [2, 2, 2] }", "expect = { mean = [2, 2, 1.9999] }"),
-        ("expect = { every-pixel = 2 }", "expect = { every-pixel = 2.0001 }"),
+    let plate = "scene = \"plate\"\nwithin = 1e-6\n";
+    for (right, wrong) in [
+        ("expect = { mean = 2 }", "expect = { mean = 2.00001 }"),
+        ("expect = { mean = [2, 2, 2] }", "expect = { mean = [2, 2, 1.99999] }"),
+        ("expect = { every-pixel = 2 }", "expect = { every-pixel = 2.00001 }"),
         ("expect = \"finite\"", "expect = \"black\""),
         ("expect = \"finite\"", "expect = { refused = \"\" }"),
-        ("expect = \"finite\"", "check = \"none\""),
+        (
+            "expect = \"finite\"",
+            "expect = \"finite\"\nregion = [0.1, 0.1, 0.2, 0.2]\nwarns = \"x\"",
+        ),
         ("expect = \"finite\"", ""),
-        (
-            "expect = { like = { flip = 1e-6, set = { a = 1 } } }",
-            "expect = { like = { flip = 1e-6, scene = \"none\" } }",
-        ),
-        (
-            "expect = { like = { pixel = 1e-6, method = \"vpl\" } }",
-            "expect = { like = { pixel = 1e-6, method = \"normal\" } }",
-        ),
-        (
-            "expect = { like = { mean = 1e-6, method = \"vpl\" } }",
-            "expect = { like = { mean = 1e-6, method = \"depth\" } }",
-        ),
-        (
-            "expect = { like = { flip = 1e-6, method = \"vpl\" } }",
-            "expect = { like = { flip = 1e-6, method = \"normal\" } }",
-        ),
-        ("expect = \"finite\"", "expect = \"finite\"\nwarns = \"of something\""),
-        ("expect = \"finite\"", "expect = \"finite\"\nregion = [0.1, 0.1, 0.1, 0.1]\nexpect2 = 1"),
+        ("expect = \"finite\"", "check = \"none\""),
     ] {
-        if let Ok(cases) = Cases::parse(&format!("{START}{within}{broken}\n")) {
-            let judged = runner(&cases, Scale::Small).run(&cases.cases[0]).unwrap();
-            assert!(judged.iter().any(|judged| judged.verdict == Verdict::Wrong), "{broken}");
-        }
-        assert_eq!(verdicts(&format!("{within}{sound}\n")), right, "{sound}");
+        assert_eq!(verdict(&format!("{plate}{right}\n")), Verdict::Right, "{right}");
+        let broken = judged(&format!("{plate}{wrong}\n"));
+        assert!(broken.iter().any(|judged| judged.verdict == Verdict::Wrong), "{wrong}");
     }
-    let _ = wrong;
+}
+
+#[test]
+fn an_image_that_differs_by_little_is_caught() {
+    for kind in ["mean", "pixel", "flip"] {
+        let like = |scene: &str| {
+            let rest = format!("expect = {{ like = {{ scene = \"{scene}\", {kind} = 1e-6 }} }}");
+            verdict(&format!("scene = \"plate\"\n{rest}\n"))
+        };
+        assert_eq!(like("plate"), Verdict::Right);
+        assert_eq!(like("halves"), Verdict::Wrong, "{kind}");
+        assert_eq!(like("missing"), Verdict::Wrong, "{kind}");
+    }
+    // Only where the images differ.
+    let part = |x: &str| {
+        let like = "expect = { like = { scene = \"halves\", pixel = 1e-6 } }";
+        verdict(&format!("scene = \"plate\"\nregion = {x}\n{like}\n"))
+    };
+    assert_eq!(part("[0, 0, 0.5, 1]"), Verdict::Right);
+    assert_eq!(part("[0.5, 0, 1, 1]"), Verdict::Wrong);
+    let mirrored = "expect = { like = { mirrored = true, pixel = 1e-6 } }";
+    assert_eq!(verdict(&format!("scene = \"plate\"\n{mirrored}\n")), Verdict::Right);
+    assert_eq!(verdict(&format!("scene = \"halves\"\n{mirrored}\n")), Verdict::Wrong);
+}
+
+#[test]
+fn a_refusal_is_the_one_expected() {
+    let of = |scene: &str, text: &str| {
+        verdict(&format!("scene = \"{scene}\"\nexpect = {{ refused = \"{text}\" }}\n"))
+    };
+    assert_eq!(of("missing", "b.obj, which is not there"), Verdict::Refused);
+    assert_eq!(of("missing", "c.obj"), Verdict::Wrong);
+    assert_eq!(of("plate", ""), Verdict::Wrong);
+    let option = "scene = \"plate\"\noptions = \"--vpls 0\"\n".replace("options", "full");
+    assert_eq!(verdict(&format!("{option}expect = \"finite\"\n")), Verdict::Right);
+    // The refusal holds no name of a temporary directory.
+    let refused = &judged("scene = \"missing\"\nexpect = { refused = \"b.obj\" }\n")[0];
+    assert!(refused.refusal.as_deref().is_some_and(|why| why.starts_with("scene.toml:3: ")));
 }

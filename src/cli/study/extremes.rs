@@ -34,11 +34,13 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
     let info = Gpu::open(&adapter)?.info;
     let mut report =
         Report { cases: &cases, command: command(), adapter: Some(info), judged: Vec::new() };
-    let mut runner = Runner::new(&cases, Scale::Full, front(), adapter).interrupted_by(interrupt()?);
+    let mut runner =
+        Runner::new(&cases, Scale::Full, front(), adapter).interrupted_by(interrupt()?);
     for (number, case) in (1..).zip(&cases.cases) {
         let judged = runner.run(case)?;
         if !args.quiet {
-            let line = format!("{number} of {}: {}: {}", cases.cases.len(), case.name, told(&judged));
+            let line =
+                format!("{number} of {}: {}: {}", cases.cases.len(), case.name, told(&judged));
             console::say(&console::one_line(&line));
         }
         report.judged.extend(judged);
@@ -74,7 +76,12 @@ fn told(judged: &[Judged]) -> String {
         Some(why) => format!("{verdict}, {why}"),
         None => format!(
             "{verdict}, {} {} {:.4e} for {:.4e}, off by {:.1e} of {:.1e}",
-            figure.method, figure.what, figure.measured, figure.expected, figure.error, figure.within
+            figure.method,
+            figure.what,
+            figure.measured,
+            figure.expected,
+            figure.error,
+            figure.within
         ),
     }
 }

@@ -157,7 +157,10 @@ mod tests {
             &light["corners"][0],
         ]
         .map(|value| vector(value).unwrap().to_array());
-        assert_eq!(vectors, [[-2.0, 0.0, 10.0], [-1.0, 0.0, 0.5], [4.0, 4.0, 8.0], [-4.0, 0.0, 10.0]]);
+        assert_eq!(
+            vectors,
+            [[-2.0, 0.0, 10.0], [-1.0, 0.0, 0.5], [4.0, 4.0, 8.0], [-4.0, 0.0, 10.0]]
+        );
         assert_eq!(light["radius"].as_float(), Some(6.0));
         assert!(bake.obj("v 1 2\n").is_err() && bake.scene("[[mesh]]\nscale = 2\n").is_err());
     }

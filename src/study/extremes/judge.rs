@@ -17,12 +17,7 @@ pub struct Seen<'a> {
 }
 
 /// The figures of an image: what it must be, and is. What it must be like is `other`.
-pub fn judge(
-    expect: &Expect,
-    within: f64,
-    seen: Seen<'_>,
-    other: Option<&Image>,
-) -> Vec<Figure> {
+pub fn judge(expect: &Expect, within: f64, seen: Seen<'_>, other: Option<&Image>) -> Vec<Figure> {
     match expect {
         Expect::Mean(radiance) => vec![seen.mean(radiance.channels(), within)],
         Expect::EveryPixel(radiance) => vec![seen.every_pixel(radiance.channels(), within)],
@@ -47,7 +42,8 @@ impl Seen<'_> {
 
     /// The pixels that count; none if any of them is not finite.
     fn pixels(&self) -> Option<Vec<[f64; 3]>> {
-        let pixels: Vec<_> = cut(self.image, self.region).map(|pixel| pixel.map(f64::from)).collect();
+        let pixels: Vec<_> =
+            cut(self.image, self.region).map(|pixel| pixel.map(f64::from)).collect();
         let sound = !pixels.is_empty() && pixels.iter().flatten().all(|value| value.is_finite());
         sound.then_some(pixels)
     }
@@ -63,8 +59,7 @@ impl Seen<'_> {
         let Some(pixels) = self.pixels() else {
             return self.figure(what, expected[0], f64::NAN, within);
         };
-        let channels =
-            (0..3).map(|c| self.figure(what, expected[c], measure(&pixels, c), within));
+        let channels = (0..3).map(|c| self.figure(what, expected[c], measure(&pixels, c), within));
         let worse = |a: Figure, b: Figure| if b.error > a.error { b } else { a };
         channels.reduce(worse).unwrap_or_else(|| self.figure(what, expected[0], f64::NAN, within))
     }

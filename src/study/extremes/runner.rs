@@ -138,7 +138,12 @@ impl<'a> Runner<'a> {
     }
 
     /// A frame, or why there is none. Only what ends everything is an error.
-    fn outcome(&mut self, case: &Case, method: &str, like: Option<&Like>) -> Result<Outcome, Error> {
+    fn outcome(
+        &mut self,
+        case: &Case,
+        method: &str,
+        like: Option<&Like>,
+    ) -> Result<Outcome, Error> {
         let staging = match Staging::of(self.cases, case, method, self.scale, like) {
             Ok(staging) => staging,
             Err(what) => return Ok(Err(Error::Usage(format!("the case is at fault: {what}")))),
@@ -171,8 +176,7 @@ impl<'a> Runner<'a> {
         };
         let mut camera = prepared.scene.camera;
         camera.size = asked.size.unwrap_or(camera.size);
-        let frame =
-            render::frame(prepared, &camera, &asked.settings, asked.seed, &|_, _| {})?;
+        let frame = render::frame(prepared, &camera, &asked.settings, asked.seed, &|_, _| {})?;
         let scene = prepared.scene.warnings.iter().map(|warning| warning.message.clone());
         let warnings = scene.chain((self.front.warnings)(&frame, &asked.settings)).collect();
         Ok(Rendered {
@@ -273,7 +277,8 @@ fn refused(case: &Case, error: &Error, text: &str) -> Judged {
 
 /// No image where there has to be one.
 fn fault(case: &Case, method: &str, why: String) -> Judged {
-    let what = if method.is_empty() { "a figure".to_owned() } else { format!("{method}: an image") };
+    let what =
+        if method.is_empty() { "a figure".to_owned() } else { format!("{method}: an image") };
     let mut judged = judged(case, exact("", &what, 1.0, 0.0));
     judged.refusal = Some(why);
     judged

@@ -182,6 +182,10 @@ mod tests {
         assert_eq!(count("room 2"), (54, 24));
         assert_eq!(count("slivers 5 1e-6"), (16, 7));
         assert_eq!((count("star 5"), count("fan 5")), ((10, 1), (11, 10)));
-        assert!(["", "grid", "grid 0", "cube 3", "grid x", "ball 8 4 1 2 3 r"].iter().all(|text| obj(text).is_err()));
+        assert!(
+            ["", "grid", "grid 0", "cube 3", "grid x", "ball 8 4 1 2 3 r"]
+                .iter()
+                .all(|text| obj(text).is_err())
+        );
     }
 }

@@ -63,7 +63,10 @@ pub fn markdown(out: &mut (impl Write + ?Sized), report: &Report<'_>) -> io::Res
     )?;
     for row in &report.cases.rows {
         writeln!(out, "\n## {}\n\n{}. Treatment: {}.\n", row.about, row.wrong, row.treatment)?;
-        writeln!(out, "| case | method | figure | expected | measured | error | within | verdict |")?;
+        writeln!(
+            out,
+            "| case | method | figure | expected | measured | error | within | verdict |"
+        )?;
         writeln!(out, "| --- | --- | --- | ---: | ---: | ---: | ---: | --- |")?;
         let mut notes: Vec<String> = Vec::new();
         for judged in report.judged.iter().filter(|judged| judged.row == row.name) {
