@@ -115,9 +115,10 @@ fn a_refusal_is_the_one_expected() {
     assert_eq!(of("missing", "b.obj, which is not there"), Verdict::Refused);
     assert_eq!(of("missing", "c.obj"), Verdict::Wrong);
     assert_eq!(of("plate", ""), Verdict::Wrong);
-    let option = "scene = \"plate\"\noptions = \"--vpls 0\"\n".replace("options", "full");
-    assert_eq!(verdict(&format!("{option}expect = \"finite\"\n")), Verdict::Right);
+    // Options for publication are not looked at in small.
+    let full = "scene = \"plate\"\nfull = \"--vpls 0\"\nexpect = \"finite\"\n";
+    assert_eq!(verdict(full), Verdict::Right);
     // The refusal holds no name of a temporary directory.
     let refused = &judged("scene = \"missing\"\nexpect = { refused = \"b.obj\" }\n")[0];
-    assert!(refused.refusal.as_deref().is_some_and(|why| why.starts_with("scene.toml:3: ")));
+    assert!(refused.refusal.as_deref().is_some_and(|why| why.starts_with("scene.toml:2: ")));
 }
