@@ -19,7 +19,7 @@ pub struct Seen<'a> {
 /// The figures of an image: what it must be, and is. What it must be like is `other`.
 pub fn judge(expect: &Expect, within: f64, seen: Seen<'_>, other: Option<&Image>) -> Vec<Figure> {
     match expect {
-        Expect::Mean(radiance) => vec![seen.mean(radiance.channels(), within)],
+        Expect::Mean(radiance) => vec![seen.mean("mean", radiance.channels(), within)],
         Expect::EveryPixel(radiance) => vec![seen.every_pixel(radiance.channels(), within)],
         Expect::Black => vec![seen.black()],
         Expect::Finite => vec![seen.finite()],
@@ -40,46 +40,49 @@ impl Seen<'_> {
         Figure { method, what: what.into(), expected, measured, error, within }
     }
 
-    /// The pixels that count; none if any of them is not finite.
-    fn pixels(&self) -> Option<Vec<[f64; 3]>> {
-        let pixels: Vec<_> =
-            cut(self.image, self.region).map(|pixel| pixel.map(f64::from)).collect();
-        let sound = !pixels.is_empty() && pixels.iter().flatten().all(|value| value.is_finite());
-        sound.then_some(pixels)
+    /// The values of a channel, in the pixels that count.
+    fn values(&self, channel: usize) -> impl Iterator<Item = f64> {
+        cut(self.image, self.region).map(move |pixel| f64::from(pixel[channel]))
     }
 
-    /// What is measured of the pixels, in a figure of the channel that is off most.
+    /// Whether there are pixels that count, all of them finite.
+    fn is_sound(&self) -> bool {
+        let finite = |pixel: &[f32; 3]| pixel.iter().all(|value| value.is_finite());
+        self.values(0).next().is_some() && cut(self.image, self.region).all(finite)
+    }
+
+    /// What is measured of a channel's values, in a figure of the channel that is off most.
     fn worst(
         &self,
         what: &str,
         expected: [f64; 3],
         within: f64,
-        measure: impl Fn(&[[f64; 3]], usize) -> f64,
+        measure: impl Fn(&mut dyn Iterator<Item = f64>, f64) -> f64,
     ) -> Figure {
-        let Some(pixels) = self.pixels() else {
+        if !self.is_sound() {
             return self.figure(what, expected[0], f64::NAN, within);
+        }
+        let figure = |c: usize| {
+            self.figure(what, expected[c], measure(&mut self.values(c), expected[c]), within)
         };
-        let channels = (0..3).map(|c| self.figure(what, expected[c], measure(&pixels, c), within));
         let worse = |a: Figure, b: Figure| if b.error > a.error { b } else { a };
-        channels.reduce(worse).unwrap_or_else(|| self.figure(what, expected[0], f64::NAN, within))
+        worse(worse(figure(0), figure(1)), figure(2))
     }
 
-    fn mean(&self, expected: [f64; 3], within: f64) -> Figure {
-        self.worst("mean", expected, within, mean)
+    fn mean(&self, what: &str, expected: [f64; 3], within: f64) -> Figure {
+        self.worst(what, expected, within, |values, _| mean(values))
     }
 
     fn every_pixel(&self, expected: [f64; 3], within: f64) -> Figure {
-        self.worst("worst pixel", expected, within, |pixels, c| {
-            let worse = |a: f64, b: f64| {
-                if off(b, expected[c]) > off(a, expected[c]) { b } else { a }
-            };
-            pixels.iter().map(|pixel| pixel[c]).reduce(worse).unwrap_or(f64::NAN)
+        self.worst("worst pixel", expected, within, |values, expected| {
+            let worse = |a: f64, b: f64| if off(b, expected) > off(a, expected) { b } else { a };
+            values.reduce(worse).unwrap_or(f64::NAN)
         })
     }
 
     fn black(&self) -> Figure {
-        self.worst("brightest pixel", [0.0; 3], 0.0, |pixels, c| {
-            pixels.iter().map(|pixel| pixel[c].abs()).fold(0.0, f64::max)
+        self.worst("brightest pixel", [0.0; 3], 0.0, |values, _| {
+            values.fold(0.0, |most, value| f64::max(most, value.abs()))
         })
     }
 
@@ -108,17 +111,15 @@ impl Seen<'_> {
 
     /// One of the figures of likeness; none if one of the images has no sound pixel.
     fn likeness(&self, what: &str, other: &Image, within: f64) -> Option<Figure> {
-        let pixels = self.pixels()?;
-        let others = Seen { image: other, ..*self }.pixels()?;
-        if pixels.len() != others.len() {
+        let others = Seen { image: other, ..*self };
+        let sizes = [self.image, other].map(|image| [image.width, image.height]);
+        if !self.is_sound() || !others.is_sound() || sizes[0] != sizes[1] {
             return None;
         }
-        let brightness = (0..3).map(|c| mean(&others, c)).sum::<f64>() / 3.0;
+        let means = [0, 1, 2].map(|channel| mean(others.values(channel)));
+        let brightness = means.iter().sum::<f64>() / 3.0;
         Some(match what {
-            "mean" => {
-                let expected = [0, 1, 2].map(|c| mean(&others, c));
-                self.worst("mean, that of the other", expected, within, mean)
-            }
+            "mean" => self.mean("mean, that of the other", means, within),
             "ꟻLIP" => {
                 let keep = vec![true; other.pixels.len()];
                 // Middle grey, so that dark and bright scenes are looked at alike.
@@ -127,7 +128,8 @@ impl Seen<'_> {
                 self.figure("ꟻLIP to the other", 0.0, found.flip, within)
             }
             _ => {
-                let pairs = pixels.iter().flatten().zip(others.iter().flatten());
+                let far = |c: usize| self.values(c).zip(others.values(c));
+                let pairs = (0..3).flat_map(far);
                 let most = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 // Two black images are alike.
                 let most = if most == 0.0 { 0.0 } else { most / brightness };
@@ -143,8 +145,9 @@ fn off(value: f64, expected: f64) -> f64 {
     if expected == 0.0 { difference } else { difference / expected.abs() }
 }
 
-fn mean(pixels: &[[f64; 3]], channel: usize) -> f64 {
-    pixels.iter().map(|pixel| pixel[channel]).sum::<f64>() / pixels.len() as f64
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    sum / count
 }
 
 /// The pixels whose centres lie in a region.
