@@ -1,4 +1,4 @@
-// Emitting triangles: the light by its power, the position uniform on it.
+// Emitting triangles: the light by its power, a place on it as draw_place does.
 
 struct AreaLight {
     corner: vec3f,
@@ -15,16 +15,29 @@ struct AreaLight {
 
 @group(0) @binding(9) var<storage, read> lights: array<AreaLight>;
 
+// A place on a light.
+struct Place {
+    // Of the corners.
+    weights: vec3f,
+    // With which it was drawn, by area.
+    density: f32,
+}
+
+// Uniform on the light. The square root makes the density uniform and keeps strata whole.
+fn uniform_place(light: AreaLight, u: vec2f) -> Place {
+    let root = sqrt(u.x);
+    return Place(vec3f(1.0 - root, root * (1.0 - u.y), root * u.y), 1.0 / light.area);
+}
+
 // A place on the lights.
 fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> LightSample {
     var u = at;
     let index = choose_light(u.x, light_count);
     let light = lights[index];
     u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
-    // The square root makes the density uniform and keeps strata whole.
-    let root = sqrt(u.x);
-    let on_light = light.corner + light.edge1 * (root * (1.0 - u.y)) + light.edge2 * (root * u.y);
-    let weights = vec3f(1.0 - root, root * (1.0 - u.y), root * u.y);
+    let place = draw_place(point, light, u);
+    let on_light =
+        light.corner + light.edge1 * place.weights.y + light.edge2 * place.weights.z;
     let to_light = on_light - point.position;
     let square = dot(to_light, to_light);
     let cosine = dot(to_light, point.normal);
@@ -37,8 +50,8 @@ fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> Light
         end - light_origin(point, offset),
         1.0,
         cosine > 0.0 && emitted > 0.0,
-        light.radiance * light_glow(index, weights),
+        light.radiance * light_glow(index, place.weights),
         geometry,
-        light.probability / light.area,
+        light.probability * place.density,
     );
 }

@@ -17,6 +17,7 @@ use clap::{Parser, Subcommand};
 use crate::error::Error;
 use crate::gpu::AdapterChoice;
 use crate::render::{Frame, Settings};
+pub use study::front;
 
 /// Headless global illumination with virtual point lights.
 #[derive(Debug, Parser)]

@@ -79,6 +79,9 @@ pub enum Error {
     /// The result cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// Figures of a study are not what they must be.
+    #[error("{0}")]
+    Wrong(String),
     /// The user asked to stop.
     #[error("{0}")]
     Interrupted(String),
@@ -100,7 +103,7 @@ impl Error {
             | Self::Image(_)
             | Self::Output(OutputError::UnknownFormat(_)) => 2,
             Self::Gpu(error) if error.is_missing_adapter() => 3,
-            Self::Gpu(_) | Self::Output(_) | Self::Strict(_) => 1,
+            Self::Gpu(_) | Self::Output(_) | Self::Strict(_) | Self::Wrong(_) => 1,
             Self::OverLimit(_) => 4,
             Self::Interrupted(_) => 130,
         }

@@ -208,7 +208,8 @@ pub struct DirectionalLight {
 pub struct Units {
     /// The centre of the scene's bounds, in the file's units.
     pub center: DVec3,
-    /// A power of two, so that scaling a whole scene by one changes no bit of the image.
+    /// Half of the longest extent, so that normalised units are the same whatever those of the
+    /// file: what decides by a bit, as ties of K-means, decides alike.
     pub scale: f64,
 }
 

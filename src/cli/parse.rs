@@ -4,7 +4,7 @@ use super::compare::MapKind;
 use super::render::Aov;
 use crate::image::Tone;
 use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
-use crate::study::{presets, thesis};
+use crate::study::{extremes, presets, thesis};
 
 pub fn method(text: &str) -> Result<Method, String> {
     if let Some(method) = Method::ALL.into_iter().find(|method| method.name() == text) {
@@ -59,8 +59,8 @@ pub fn preset(text: &str) -> Result<&'static str, String> {
     match text {
         thesis::NAME => Ok(thesis::NAME),
         presets::QUICK => Ok(presets::QUICK),
-        "extremes" => Err("not supported yet; give thesis or quick".to_owned()),
-        _ => Err("give thesis or quick".to_owned()),
+        extremes::NAME => Ok(extremes::NAME),
+        _ => Err("give thesis, quick or extremes".to_owned()),
     }
 }
 

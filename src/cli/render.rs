@@ -13,6 +13,7 @@ pub use args::RenderArgs;
 use job::Job;
 use outputs::{Outputs, Shown};
 use warnings::Warnings;
+pub use warnings::of_frame as warnings_of_frame;
 
 use super::console;
 use crate::error::{Error, OutputError};

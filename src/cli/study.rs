@@ -2,6 +2,7 @@
 //! and a page.
 
 mod axes;
+mod extremes;
 mod outputs;
 mod progress;
 mod sweep;
@@ -18,8 +19,11 @@ use crate::error::Error;
 use crate::gpu::GpuError;
 use crate::study::{Plan, ReferencePlan, Store, Study, options, presets, thesis};
 use axes::Axes;
+pub use extremes::front;
 use outputs::Outputs;
 use progress::Progress;
+
+const OPTIONS_OF_RENDER: &str = "options of render go neither with --preset nor with --sweep";
 
 /// The options of `study`.
 #[derive(Debug, Args)]
@@ -27,7 +31,8 @@ pub struct StudyArgs {
     /// Scenes, as for render
     scenes: Vec<String>,
 
-    /// A study with a name: thesis (its experiments), quick (every method, 256x256, 3 seeds)
+    /// A study with a name: thesis (its experiments), quick (every method, 256x256, 3 seeds),
+    /// extremes (what renderers fail at first, against what it must be: extremes.md, .csv, .json)
     #[arg(long, value_name = "PRESET", value_parser = parse::preset, conflicts_with = "sweep")]
     preset: Option<&'static str>,
 
@@ -59,9 +64,9 @@ pub struct StudyArgs {
           value_parser = clap::value_parser!(u32).range(1..=1000))]
     seeds: Option<u32>,
 
-    /// The first seed
-    #[arg(long, allow_negative_numbers = true, default_value_t = 0)]
-    seed: u32,
+    /// The first seed [default: 0]
+    #[arg(long, allow_negative_numbers = true)]
+    seed: Option<u32>,
 
     /// Of the seeds, how many to measure the error of clustering with, which takes a frame of vpl
     /// [default: 1; thesis: all]
@@ -105,7 +110,7 @@ impl StudyArgs {
             plan.clustering_seeds = count as usize;
         }
         let count = self.seeds.unwrap_or(plan.seeds.len() as u32);
-        plan.seeds = (0..count).map(|index| self.seed.wrapping_add(index)).collect();
+        plan.seeds = (0..count).map(|index| self.seed.unwrap_or(0).wrapping_add(index)).collect();
         if let Some(samples) = self.reference_samples {
             plan.reference = ReferencePlan::Path { samples };
         }
@@ -121,7 +126,7 @@ impl StudyArgs {
         let refuse = |what: &str| Err(Error::Usage(format!("study: {what}")));
         let swept = !self.axes.is_empty();
         if swept && (self.preset.is_some() || self.sweep.is_some()) {
-            return refuse("options of render go neither with --preset nor with --sweep");
+            return refuse(OPTIONS_OF_RENDER);
         }
         let scenes = self.scenes.clone();
         match (self.preset, &self.sweep) {
@@ -132,7 +137,7 @@ impl StudyArgs {
             (Some(_), _) => Ok(presets::quick(scenes)),
             (None, Some(file)) => sweep::read(file, scenes),
             (None, None) if scenes.is_empty() => refuse(
-                "what to study? Give a SCENE, --sweep FILE.toml, or --preset thesis or quick",
+                "what to study? Give a SCENE, --sweep FILE.toml, or --preset thesis, quick or extremes",
             ),
             (None, None) if swept => Ok(Plan {
                 name: "sweep".to_owned(),
@@ -162,6 +167,9 @@ fn check_one_image(plan: &Plan) -> Result<(), Error> {
 /// # Errors
 /// Usage is refused, an input cannot be read, an output cannot be written, or the device fails.
 pub fn run(args: &StudyArgs) -> Result<(), Error> {
+    if args.preset == Some(crate::study::extremes::NAME) {
+        return extremes::run(args);
+    }
     let plan = args.plan()?;
     let outputs = Outputs::check(&args.output)?;
     render::start_threads(args.threads)?;

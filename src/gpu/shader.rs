@@ -108,6 +108,8 @@ pub mod module {
         DIRECTIONAL_LIGHT = "directional_light" for "directional lights";
         DIRECT_EXACT = "direct_exact";
         AREA_LIGHT = "area_light" for "area lights";
+        PLACE_BY_AREA = "place_by_area" for "area lights";
+        PLACE_BY_ANGLE = "place_by_angle" for "area lights";
         SPHERE_CONE = "sphere_cone" for "sphere lights";
         SPHERE_LIGHT = "sphere_light" for "sphere lights";
         PATH_EMISSION_ANY = "path_emission_any" for "sphere lights";

@@ -113,13 +113,25 @@ impl Columns {
 /// The order along a Morton curve, so that neighbours in a word are neighbours in space; first
 /// by the side that they face, as lights that face away from a point are skipped together.
 fn curve(lights: &[VirtualLight]) -> Vec<u32> {
+    let place = within(lights.iter().map(|light| light.position));
     let mut order: Vec<u32> = (0..lights.len() as u32).collect();
     order.sort_by_cached_key(|&index| {
         let VirtualLight { position, normal, .. } = lights[index as usize];
         let axis = normal.abs().max_position();
-        (2 * axis + usize::from(normal[axis] < 0.0), morton(position), index)
+        (2 * axis + usize::from(normal[axis] < 0.0), morton(place(position)), index)
     });
     order
+}
+
+/// Positions within [-2, 2] by their places among all. Normalised units will not do: they differ
+/// by up to a factor of 2 with the units of the file, and with them the cells of the curve, which
+/// decide what subsets lights are dealt to.
+fn within(positions: impl Iterator<Item = Vec3> + Clone) -> impl Fn(Vec3) -> Vec3 {
+    let low = positions.clone().fold(Vec3::INFINITY, Vec3::min);
+    let high = positions.fold(Vec3::NEG_INFINITY, Vec3::max);
+    let extent = (high - low).max_element().max(f32::MIN_POSITIVE);
+    // Neither middles nor quarters are on borders of cells, where rounding decides.
+    move |position| (position - low) / extent * 2.9 - 1.618_034
 }
 
 /// Deals an order out to subsets, so that each is spread along it, and fills each up to whole
@@ -193,4 +205,22 @@ pub fn morton(position: Vec3) -> u64 {
         (0..21).fold(0u64, |sum, bit| sum | ((cell as u64 >> bit & 1) << (3 * bit)))
     };
     spread(position.x) | spread(position.y) << 1 | spread(position.z) << 2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_order_of_lights_does_not_depend_on_their_scale() {
+        let at = |i: u32, scale: f32| {
+            let [x, y, z] = [7, 11, 13].map(|prime| ((i * prime) % 31) as f32 / 15.0 - 1.0);
+            VirtualLight::diffuse(scale * Vec3::new(x, y, z), Vec3::Z, Vec3::ONE)
+        };
+        let order = |scale| curve(&(0..200).map(|i| at(i, scale)).collect::<Vec<_>>());
+        assert_eq!(order(1.0), order(0.53));
+        assert_ne!(order(1.0), (0..200).collect::<Vec<_>>());
+        // Lights in one place have no extent.
+        assert_eq!(curve(&[at(3, 1.0), at(3, 1.0)]), [0, 1]);
+    }
 }

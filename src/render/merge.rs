@@ -130,6 +130,30 @@ impl VplClusters {
                 .zip(&sums)
                 .map(|(&member, sum)| sum.merged(&own[member as usize], clustering.representative)),
         );
+        if clustering.representative == Representative::Mean {
+            lift(&mut self.lights[first as usize..], &own, &parts.of_lights);
+        }
+    }
+}
+
+/// Lifts means to the surface: the mean of a cluster on a convex one is under it, and all its
+/// shadow rays would be blocked. A convex surface is under the tangent plane of each member, so that
+/// the mean rises along its normal up to the first of these that it meets: not at all where all
+/// members are in a plane, or the surface is hollow.
+fn lift(means: &mut [VirtualLight], members: &[VirtualLight], of_members: &[u32]) {
+    let mut heights = vec![f32::INFINITY; means.len()];
+    for (member, &of) in members.iter().zip(of_members) {
+        let mean = &means[of as usize];
+        let cosine = member.normal.dot(mean.normal);
+        if cosine > 0.0 {
+            let height = member.normal.dot(member.position - mean.position) / cosine;
+            heights[of as usize] = heights[of as usize].min(height);
+        }
+    }
+    for (mean, height) in means.iter_mut().zip(heights) {
+        if height.is_finite() {
+            mean.position += height.max(0.0) * mean.normal;
+        }
     }
 }
 

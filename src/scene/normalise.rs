@@ -20,9 +20,8 @@ const SMALLEST: f64 = 1e-100;
 /// alone makes slivers of a collinear triple.
 const FLATTEST: f64 = 1e-12;
 
-/// Slack by which the half-extent may exceed the scale. Scenes are often a power of two
-/// wide; far from the origin they are so but for rounding, which must not halve the image's
-/// units.
+/// How far a half-extent may be from a power of two that is used instead. Scenes are often a power
+/// of two wide; far from the origin they are so but for rounding.
 const SCALE_SLACK: f64 = 1e-6;
 
 /// The shapes of a scene in normalised units.
@@ -50,7 +49,7 @@ impl Units {
                 (low.min(corner), high.max(corner))
             });
         let half_extent = 0.5 * (high - low).max_element();
-        Self { center: 0.5 * (low + high), scale: power_of_two_above(half_extent) }
+        Self { center: 0.5 * (low + high), scale: power_of_two_near(half_extent) }
     }
 
     /// A point of the file in normalised units.
@@ -59,16 +58,10 @@ impl Units {
     }
 }
 
-/// The least power of two that `length` does not exceed by more than [`SCALE_SLACK`].
-fn power_of_two_above(length: f64) -> f64 {
-    let mut power = 1.0;
-    while power * (1.0 + SCALE_SLACK) < length {
-        power *= 2.0;
-    }
-    while 0.5 * power * (1.0 + SCALE_SLACK) >= length {
-        power *= 0.5;
-    }
-    power
+/// `length`, or the power of two next to it if that is within [`SCALE_SLACK`].
+fn power_of_two_near(length: f64) -> f64 {
+    let power = length.log2().round().exp2();
+    if (length / power - 1.0).abs() <= SCALE_SLACK { power } else { length }
 }
 
 /// Rounds to f32. Subnormals become 0, as they do on some devices: no device's choice may

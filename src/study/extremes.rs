@@ -1,6 +1,25 @@
 //! The stiff and the extreme: cases in which a renderer fails first, each with what it must give.
+//!
+//! Rows (what goes wrong, and what is done about it) and cases (a scene, settings, and what the
+//! image must be) are data: `tests/extremes/cases.toml`, read by [`Cases`]. A [`Runner`] renders
+//! them, [`Judged`] is what came of a case, and [`table`] writes it down.
 
+mod bake;
+mod cases;
 pub mod checks;
+mod judge;
+mod runner;
+mod shapes;
+mod stage;
+pub mod table;
+
+pub use bake::Bake;
+pub use cases::{CASES, Case, Cases, Expect, Like, Own, Radiance, Row, SceneText};
+pub use runner::{Judged, Runner, Verdict};
+pub use stage::{Asked, Front};
+
+/// The name of the preset.
+pub const NAME: &str = "extremes";
 
 /// How large cases are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -270,7 +270,8 @@ fn a_scene_file_places_its_meshes_alone() {
         load(&[("scene.toml", &text), ("mesh.gltf", &mesh)])
     };
     let scene = of("translate = [1, 0, 0]\nscale = [-3, 1, 1]\n").unwrap();
-    assert_eq!((center(&scene), area(&scene)), (DVec3::X, 12.0));
+    assert_eq!(center(&scene), DVec3::X);
+    assert!((area(&scene) / 12.0 - 1.0).abs() < 1e-6);
     assert_eq!((normals(&scene)[0], scene.camera.forward), (Vec3::Z, -Vec3::Z));
     assert_eq!((scene.point_lights.len(), scene.warnings.len()), (1, 0));
     assert_eq!(scene.materials[0].albedo.to_array(), [0.5; 3]);

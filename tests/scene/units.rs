@@ -56,12 +56,18 @@ fn scaling_by_a_power_of_two_changes_no_bit() {
 
 #[test]
 fn the_scene_fills_its_units_at_every_scale() {
+    let one = draft(1.0, DVec3::ZERO).finish().unwrap();
     for scale in [1e-6, 0.37, 1.0, 2.5, 1e6] {
         let scene = draft(scale, DVec3::ZERO).finish().unwrap();
         let half = half_extent(&scene);
-        assert!(half > 0.5 && half <= 1.000_001, "{scale}: {half}");
-        assert_eq!(scene.units.scale.log2().fract(), 0.0);
+        assert!((half - 1.0).abs() < 1e-6, "{scale}: {half}");
         assert_eq!(scene.triangles.len(), 40);
+        // Rounding of f64 decides that of f32 once in a great while.
+        let corners =
+            |scene: &Scene| scene.triangles.iter().flat_map(|t| t.vertices).collect::<Vec<_>>();
+        let pairs: Vec<_> = corners(&one).into_iter().zip(corners(&scene)).collect();
+        let other = pairs.iter().filter(|(a, b)| a != b).count();
+        assert!(100 * other < pairs.len(), "{scale}: {other} of {}", pairs.len());
     }
 }
 
@@ -70,7 +76,7 @@ fn far_from_the_origin_the_triangles_are_the_same() {
     let near = draft(1.0, DVec3::ZERO).finish().unwrap();
     for offset in [dvec3(1e6, 0.0, 0.0), dvec3(-3e5, 1e6, 7e5)] {
         let far = draft(1.0, offset).finish().unwrap();
-        assert_eq!(near.units.scale, far.units.scale);
+        assert!((near.units.scale / far.units.scale - 1.0).abs() < 1e-9);
         for (one, other) in near.triangles.iter().zip(&far.triangles) {
             for (a, b) in one.vertices.iter().zip(other.vertices) {
                 assert!(a.distance(b) < 1e-6, "{a} {b}");

@@ -163,7 +163,9 @@ fn what_cannot_be_studied_is_refused_in_a_line() {
     write("broken.toml", "seeds = \n");
     for (options, words) in [
         ("", "SCENE"),
-        ("--preset bogus", "give thesis or quick"),
+        ("--preset bogus", "give thesis, quick or extremes"),
+        ("--preset extremes", "--preset extremes goes without --size"),
+        ("--preset extremes builtin:cornell", "own scenes; leave SCENE out"),
         ("--preset thesis builtin:cornell", "its own scene"),
         ("--preset quick --vpls 3", "neither with --preset"),
         ("builtin:cornell --method normal", "no light"),
@@ -185,9 +187,11 @@ fn what_cannot_be_studied_is_refused_in_a_line() {
         assert!(stderr.starts_with("error: ") && stderr.lines().count() == 1, "{stderr}");
         assert!(stderr.contains(words), "{options}: {stderr}");
     }
-    let output = study(place.path(), "--preset quick -o out --adapter no-such-adapter --quiet");
-    assert_eq!(output.status.code(), Some(3));
-    assert!(!place.path().join("out").exists());
+    for preset in ["quick", "extremes"] {
+        let options = format!("--preset {preset} -o out --adapter no-such-adapter --quiet");
+        assert_eq!(study(place.path(), &options).status.code(), Some(3));
+        assert!(!place.path().join("out").exists());
+    }
 }
 
 #[test]

@@ -40,11 +40,14 @@ impl Warnings {
     /// # Errors
     /// It lacks something, and the run is strict.
     pub fn check(&mut self, frame: &Frame, settings: &Settings) -> Result<(), Error> {
-        let missing = missing_vpls(frame, settings).into_iter();
-        missing
-            .chain(nonfinite_pixels(frame))
+        of_frame(frame, settings)
             .try_for_each(|message| self.add(Warning { message, changes_image: true }))
     }
+}
+
+/// What a frame lacks.
+pub fn of_frame(frame: &Frame, settings: &Settings) -> impl Iterator<Item = String> {
+    missing_vpls(frame, settings).into_iter().chain(nonfinite_pixels(frame))
 }
 
 /// What of the light that mirrors and glass turn onto surfaces the method does not find.

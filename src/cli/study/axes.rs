@@ -117,6 +117,21 @@ impl Axes {
 /// The settings that `render` makes of options.
 fn settings(combination: &[(&str, String)]) -> Result<Settings, Error> {
     let options = combination.iter().map(|(name, value)| format!("--{name}={value}"));
+    let args = render_args(options)?;
+    match args.method.is_lit() {
+        true => Ok(args.settings()),
+        false => {
+            let name = args.method.name();
+            Err(Error::Usage(format!("study: --method {name} shows no light; there is no error")))
+        }
+    }
+}
+
+/// The arguments of `render` with these options, as it would check them.
+///
+/// # Errors
+/// One is refused, as `render` would refuse it.
+pub fn render_args(options: impl Iterator<Item = String>) -> Result<RenderArgs, Error> {
     // The output is required, and not looked at.
     let words = ["render".to_owned(), "--output=-".to_owned()].into_iter().chain(options);
     let refuse = |refusal: clap::Error| {
@@ -125,13 +140,7 @@ fn settings(combination: &[(&str, String)]) -> Result<Settings, Error> {
     let matches = command().try_get_matches_from(words).map_err(refuse)?;
     let args = RenderArgs::from_arg_matches(&matches).map_err(refuse)?;
     args.check()?;
-    match args.method.is_lit() {
-        true => Ok(args.settings()),
-        false => {
-            let name = args.method.name();
-            Err(Error::Usage(format!("study: --method {name} shows no light; there is no error")))
-        }
-    }
+    Ok(args)
 }
 
 fn command() -> Command {

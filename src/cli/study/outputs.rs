@@ -6,11 +6,15 @@ use std::path::{Path, PathBuf};
 use crate::error::{Error, OutputError};
 use crate::image::Destination;
 use crate::image::output::{Staged, commit};
+use crate::study::extremes::table::{self, Report};
 use crate::study::results::{Against, Metric};
 use crate::study::{Results, Study, csv, markdown, page, plot, store_in};
 
 /// The page's file name.
 pub const PAGE: &str = "study.html";
+
+/// The file name of the extremes' table.
+pub const TABLE: &str = "extremes.md";
 
 /// The directory of plots within that of the study.
 const PLOTS: &str = "plots";
@@ -91,6 +95,48 @@ impl Outputs {
             }
         }
         Ok(staged)
+    }
+}
+
+/// The files of the extremes.
+#[derive(Debug)]
+pub struct Tables {
+    /// Removed if nothing comes of it.
+    _directory: Directory,
+    md: Destination,
+    csv: Destination,
+    json: Destination,
+}
+
+impl Tables {
+    /// Makes the directory, if it is not there.
+    ///
+    /// # Errors
+    /// It, or a file in it, cannot be written.
+    pub fn check(directory: &Path) -> Result<Self, OutputError> {
+        let made = Directory::make(directory)?;
+        let file = |name: &str| Destination::check(&directory.join(name));
+        Ok(Self {
+            _directory: made,
+            md: file(TABLE)?,
+            csv: file("extremes.csv")?,
+            json: file("extremes.json")?,
+        })
+    }
+
+    /// Writes all files, or none.
+    ///
+    /// # Errors
+    /// The disk is full, or gone.
+    pub fn write(&self, report: &Report<'_>) -> Result<(), OutputError> {
+        commit(vec![
+            self.md.stage(|out| table::markdown(out, report))?,
+            self.csv.stage(|out| table::csv(out, report))?,
+            self.json.stage(|out| {
+                serde_json::to_writer_pretty(&mut *out, &table::json(report))?;
+                out.write_all(b"\n")
+            })?,
+        ])
     }
 }
 

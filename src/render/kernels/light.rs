@@ -5,20 +5,26 @@ use crate::gpu::module::{
     AREA_LIGHT, BACKGROUND, CHOOSE_LIGHT, DIRECT, DIRECT_EXACT, DIRECT_SAMPLED, DIRECTIONAL_LIGHT,
     DRAW_ONE, DRAW_RESAMPLED, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
     ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, HEMISPHERE, LIGHT_SAMPLE, LOCAL_LIGHT,
-    POINT_LIGHT, SAMPLING, SPHERE_CONE, SPHERE_LIGHT, SPOT_LIGHT, THROUGHPUT_NONE, TYPES,
+    PLACE_BY_ANGLE, PLACE_BY_AREA, POINT_LIGHT, SAMPLING, SPHERE_CONE, SPHERE_LIGHT, SPOT_LIGHT,
+    THROUGHPUT_NONE, TYPES,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{LightKind, Plan, Sky, Target};
 
-/// What a kernel needs to draw from the lights of a kind.
+/// What a kernel needs to draw from the lights of a kind with a density that is known by area.
 pub(super) fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
+    lights_by(target, kind, &PLACE_BY_AREA)
+}
+
+/// What a kernel needs to draw from the lights of a kind; `place` says where on a triangle.
+fn lights_by(target: Target, kind: LightKind, place: &'static Module) -> Vec<&'static Module> {
     match kind {
         LightKind::Point => vec![&LIGHT_SAMPLE, &POINT_LIGHT, &LOCAL_LIGHT],
         LightKind::Spot => vec![&LIGHT_SAMPLE, &SPOT_LIGHT, &LOCAL_LIGHT],
         LightKind::Directional => vec![&LIGHT_SAMPLE, &DIRECTIONAL_LIGHT],
         LightKind::Area => {
             let mut modules = surfaces::light_glow(target.features);
-            modules.extend([&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT]);
+            modules.extend([&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT, place]);
             modules
         }
         LightKind::Sphere => {
@@ -45,7 +51,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
     modules.extend(lobes(target));
     modules.extend(surfaces::rays(target));
     modules.push(&DIRECT);
-    modules.extend(lights_of(target, kind));
+    modules.extend(lights_by(target, kind, &PLACE_BY_ANGLE));
     match kind.is_exact() {
         true => modules.push(&DIRECT_EXACT),
         false => modules.extend([if many { &DRAW_RESAMPLED } else { &DRAW_ONE }, &DIRECT_SAMPLED]),

@@ -1,0 +1,113 @@
+//! `study --preset extremes`: cases in which renderers fail first, at full size.
+
+use super::axes::render_args;
+use super::outputs::{TABLE, Tables};
+use super::{StudyArgs, command, interrupt};
+use crate::cli::{adapter_choice, console, render};
+use crate::error::Error;
+use crate::gpu::Gpu;
+use crate::study::extremes::table::Report;
+use crate::study::extremes::{Asked, CASES, Cases, Front, Judged, Runner, Scale, Verdict};
+
+/// How the program's command line reads the options of cases, and what it warns of.
+pub fn front() -> Front {
+    Front {
+        options: |words| {
+            let args = render_args(words.iter().cloned())?;
+            Ok(Asked { settings: args.settings(), seed: args.seed, size: args.size })
+        },
+        warnings: |frame, settings| render::warnings_of_frame(frame, settings).collect(),
+    }
+}
+
+/// Runs all cases and writes the tables.
+///
+/// # Errors
+/// Usage is refused, an output cannot be written, there is no device, the user interrupts; or,
+/// after all is written, a figure is not what it must be.
+pub fn run(args: &StudyArgs) -> Result<(), Error> {
+    check(args)?;
+    let outputs = Tables::check(&args.output)?;
+    render::start_threads(args.threads)?;
+    let cases = Cases::parse(CASES).map_err(|what| Error::Usage(format!("study: {what}")))?;
+    let adapter = adapter_choice(args.adapter.as_deref());
+    let info = Gpu::open(&adapter)?.info;
+    let mut report =
+        Report { cases: &cases, command: command(), adapter: Some(info), judged: Vec::new() };
+    let mut runner =
+        Runner::new(&cases, Scale::Full, front(), adapter).interrupted_by(interrupt()?);
+    for (number, case) in (1..).zip(&cases.cases) {
+        let judged = runner.run(case)?;
+        if !args.quiet {
+            let line =
+                format!("{number} of {}: {}: {}", cases.cases.len(), case.name, told(&judged));
+            console::say(&console::one_line(&line));
+        }
+        report.judged.extend(judged);
+    }
+    outputs.write(&report)?;
+    match report.wrong() {
+        0 => Ok(()),
+        wrong => Err(Error::Wrong(format!(
+            "{}: {wrong} of {} figures are wrong; look at those that say so",
+            args.output.join(TABLE).display(),
+            report.judged.len()
+        ))),
+    }
+}
+
+/// What a case came to, in a line: the figure that uses most of its tolerance.
+fn told(judged: &[Judged]) -> String {
+    let wrong = judged.iter().find(|judged| judged.verdict == Verdict::Wrong);
+    let share = |judged: &&Judged| {
+        let figure = &judged.figure;
+        if figure.within > 0.0 { figure.error / figure.within } else { figure.error }
+    };
+    let nearest = judged.iter().max_by(|a, b| share(a).total_cmp(&share(b)));
+    let Some(Judged { figure, refusal, verdict, .. }) = wrong.or(nearest) else {
+        return "nothing".to_owned();
+    };
+    let verdict = match verdict {
+        Verdict::Right => "right",
+        Verdict::Refused => "refused as it must be",
+        Verdict::Wrong => "WRONG",
+    };
+    match refusal {
+        Some(why) => format!("{verdict}, {why}"),
+        None => format!(
+            "{verdict}, {} {} {:.4e} for {:.4e}, off by {:.1e} of {:.1e}",
+            figure.method,
+            figure.what,
+            figure.measured,
+            figure.expected,
+            figure.error,
+            figure.within
+        ),
+    }
+}
+
+/// Refuses what makes no sense here.
+fn check(args: &StudyArgs) -> Result<(), Error> {
+    let refuse = |what: String| Err(Error::Usage(format!("study: {what}")));
+    if !args.scenes.is_empty() {
+        return refuse("the extremes have their own scenes; leave SCENE out".to_owned());
+    }
+    if !args.axes.is_empty() {
+        return refuse(super::OPTIONS_OF_RENDER.to_owned());
+    }
+    let given = [
+        ("--reference", args.reference.is_some()),
+        ("--reference-samples", args.reference_samples.is_some()),
+        ("--seeds", args.seeds.is_some()),
+        ("--seed", args.seed.is_some()),
+        ("--clustering-seeds", args.clustering_seeds.is_some()),
+        ("--mask-above", args.mask_above.is_some()),
+        ("--size", args.size.is_some()),
+    ];
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((name, _)) => refuse(format!(
+            "--preset extremes goes without {name}, as its cases say how they are rendered"
+        )),
+    }
+}

@@ -1,0 +1,108 @@
+//! The stiff and the extreme: every row has a case, and every case gives what it must.
+
+#![expect(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
+
+use std::collections::BTreeSet;
+use std::env;
+use std::fs;
+use std::time::Instant;
+
+use gpu_vpl::cli;
+use gpu_vpl::gpu::AdapterChoice;
+use gpu_vpl::study::extremes::checks::CHECKS;
+use gpu_vpl::study::extremes::{CASES, Cases, Judged, Runner, Scale, Verdict};
+
+mod fails;
+
+/// As the file is now: a changed case needs no build of the library.
+fn cases() -> Cases {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/extremes/cases.toml");
+    Cases::parse(&fs::read_to_string(file).unwrap()).unwrap()
+}
+
+fn runner(cases: &Cases, scale: Scale) -> Runner<'_> {
+    Runner::new(cases, scale, cli::front(), AdapterChoice::Auto)
+}
+
+fn describe(judged: &Judged) -> String {
+    let figure = &judged.figure;
+    format!(
+        "{} [{}] {} {}: {:e} instead of {:e}, off by {:.2e}, which may be {:.2e} {}",
+        judged.case,
+        judged.row,
+        figure.method,
+        figure.what,
+        figure.measured,
+        figure.expected,
+        figure.error,
+        figure.within,
+        judged.refusal.as_deref().unwrap_or_default(),
+    )
+}
+
+/// All at once, so that scenes and images are shared. `GPU_VPL_CASES=TEXT` runs those alone whose
+/// name, row or scene holds it, and tells every figure; `GPU_VPL_SCALE=full` in full size.
+#[test]
+fn every_case_gives_what_it_must() {
+    let cases = cases();
+    let wanted = env::var("GPU_VPL_CASES").ok();
+    let full = env::var_os("GPU_VPL_SCALE").is_some_and(|scale| scale == "full");
+    let scale = if full { Scale::Full } else { Scale::Small };
+    let mut runner = runner(&cases, scale);
+    let mut wrong = Vec::new();
+    let mut count = 0;
+    for case in &cases.cases {
+        let names = [&case.name, &case.row, &case.scene];
+        if wanted.as_ref().is_some_and(|text| !names.iter().any(|name| name.contains(text))) {
+            continue;
+        }
+        let start = Instant::now();
+        let judged = runner.run(case).unwrap();
+        assert!(!judged.is_empty(), "{}: nothing was measured", case.name);
+        count += judged.len();
+        if wanted.is_some() {
+            eprintln!("{:.2} s", start.elapsed().as_secs_f64());
+            judged.iter().for_each(|judged| eprintln!("  {}", describe(judged)));
+        }
+        let failed = judged.iter().filter(|judged| judged.verdict == Verdict::Wrong);
+        wrong.extend(failed.map(describe));
+    }
+    assert!(count > 0, "no case was run");
+    assert!(wrong.is_empty(), "{} of {count} are wrong:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn the_program_has_the_cases_that_are_tested() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/extremes/cases.toml");
+    assert_eq!(fs::read_to_string(file).unwrap(), CASES);
+}
+
+#[test]
+fn every_row_has_a_case_and_every_case_a_row() {
+    let cases = cases();
+    let rows: BTreeSet<_> = cases.rows.iter().map(|row| &row.name).collect();
+    let shown: BTreeSet<_> = cases.cases.iter().map(|case| &case.row).collect();
+    assert_eq!(rows.len(), cases.rows.len(), "rows of the same name");
+    assert_eq!(rows, shown, "rows, and those that cases are of");
+    // Both tables of the list of what goes wrong.
+    assert_eq!(rows.len(), 9 + 29);
+    let names: BTreeSet<_> = cases.cases.iter().map(|case| &case.name).collect();
+    assert_eq!(names.len(), cases.cases.len(), "cases of the same name");
+}
+
+#[test]
+fn every_case_says_where_it_comes_from() {
+    for case in &cases().cases {
+        let name = &case.name;
+        assert!(case.check.is_some() || !case.from.is_empty(), "{name}: where is it from?");
+        let tolerant = case.within > 0.0 || case.of.values().any(|own| own.within.is_some());
+        assert!(!tolerant || !case.because.is_empty(), "{name}: why may it be off?");
+    }
+}
+
+#[test]
+fn every_check_is_there_and_is_run() {
+    let known: BTreeSet<_> = CHECKS.iter().map(|(name, _)| (*name).to_owned()).collect();
+    let run: BTreeSet<_> = cases().cases.iter().filter_map(|case| case.check.clone()).collect();
+    assert_eq!(known, run, "checks that are registered, and those that cases name");
+}
