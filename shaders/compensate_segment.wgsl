@@ -33,7 +33,8 @@ fn main(
     let drawn = scatter(point, albedo, path_random(slot, stream, BOUNCE_DIMENSIONS));
     let carried = carried_on(slot, point, albedo, drawn);
     let all = all_carried(carried);
-    let probability = survival(all);
+    // Irradiance is sought, which is pi where a path from the camera has a throughput of 1.
+    let probability = survival(all / PI);
     let lives = path_random(slot, stream, ROULETTE_DIMENSIONS).x < probability;
     let is = id.x < params.paths && lives;
     let first = params.bounce == 0u;

@@ -183,6 +183,10 @@ pub struct Counts {
     pub clamp: Option<f64>,
     /// The share of the reflected indirect light that the clamp removed.
     pub clamped_fraction: f64,
+    /// The share of the flux that reaches surfaces which paths of a finite number of bounces
+    /// still carry when they are ended; none where they are not ended, or there are none.
+    #[serde(default)]
+    pub truncated_fraction: Option<f64>,
     /// Pixels that are not finite.
     pub nonfinite_pixels: u64,
 }
@@ -228,6 +232,7 @@ pub fn frame(
     let start = Instant::now();
     let vpls = light_paths(prepared, settings, seed);
     counts.vpls = vpls.len() as u64;
+    counts.truncated_fraction = vpl::truncated_fraction(&vpls, settings.bounces, &prepared.scene);
     let bound = bound(prepared, settings, &vpls);
     let scale = prepared.scene.units.scale;
     counts.clamp = bound.map(|bound| f64::from(bound) / (scale * scale));

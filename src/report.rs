@@ -51,6 +51,9 @@ pub struct Report {
     pub clamped_fraction: f64,
     /// Whether that share of the indirect light was given back.
     pub compensated: bool,
+    /// The share of the flux that light paths still carry when `bounces` ends them; null where it
+    /// does not.
+    pub truncated_fraction: Option<f64>,
     /// Root mean square over pixels and channels of the standard error of the pixels; null where
     /// there is none.
     pub standard_error: Option<f64>,
@@ -236,6 +239,7 @@ impl Report {
             clamp: counts.clamp,
             clamped_fraction: counts.clamped_fraction,
             compensated: settings.compensates(),
+            truncated_fraction: counts.truncated_fraction,
             standard_error: first.standard_error.as_ref().map(root_mean_square),
             nonfinite_pixels: counts.nonfinite_pixels,
             dropped_triangles: scene.dropped_triangles,

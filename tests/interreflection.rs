@@ -43,6 +43,13 @@ fn furnace_has_the_radiance_of_its_geometric_series() {
             assert!(off.abs() < 0.01, "ρ {rho}, B {bounces}, scale {scale}: off by {off:.4}");
         }
         assert_eq!(frame.counts.vpls, 6000 * u64::from(bounces), "a closed box keeps every path");
+        // What is cut off goes on with ρ^B of the flux of each channel.
+        let carried = |b| -> f64 { (0..3).map(|c| emission[c] * f64::powi(albedo[c], b)).sum() };
+        let expected = (bounces > 0).then(|| carried(bounces as i32) / carried(0));
+        let off =
+            frame.counts.truncated_fraction.zip(expected).map(|(got, e)| (got / e - 1.0).abs());
+        assert_eq!(frame.counts.truncated_fraction.is_some(), expected.is_some());
+        assert!(off.is_none_or(|off| off < 1e-4), "{expected:?}: off by {off:?}");
     }
 }
 

@@ -11,7 +11,7 @@ use super::settings::Bounces;
 use super::surface::Surface;
 use crate::bvh::{Bvh, Ray};
 use crate::sampling::Sequence;
-use crate::scene::Scene;
+use crate::scene::{Finish, Scene};
 
 /// Russian roulette lets a path live with at most this probability.
 const MOST_SURVIVAL: f32 = 0.95;
@@ -121,6 +121,22 @@ impl LightPaths<'_> {
         let Start { ray, flux } = self.lights.start(self.scene, draw(0), [1, 2, 3, 4].map(draw))?;
         Some((ray, flux / self.count as f32))
     }
+}
+
+/// The share of the flux that reaches surfaces which light paths still carry when a finite number
+/// of bounces ends them: the tail of light that an image lacks. `None` where they are not ended.
+pub fn truncated_fraction(vpls: &[Vpl], bounces: Bounces, scene: &Scene) -> Option<f64> {
+    let Bounces::Finite(last) = bounces else { return None };
+    let mean = |flux: Vec3| f64::from(flux.element_sum()) / 3.0;
+    let of_bounce = |bounce: u32| vpls.iter().filter(move |vpl| vpl.bounce == bounce);
+    let reached: f64 = of_bounce(1).map(|vpl| mean(vpl.flux)).sum();
+    let specular = |vpl: &Vpl| match scene.materials[vpl.material as usize].finish {
+        Finish::Phong { specular, .. } => specular,
+        _ => Vec3::ZERO,
+    };
+    let carried: f64 =
+        of_bounce(last).map(|vpl| mean(vpl.flux * (vpl.albedo + specular(vpl)))).sum();
+    (reached > 0.0).then(|| carried / reached)
 }
 
 /// The bound on G of the default clamp: no VPL alone gives more irradiance than an eighth of

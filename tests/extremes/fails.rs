@@ -69,6 +69,7 @@ fn an_expectation_that_is_off_by_little_is_caught() {
         ("expect = { mean = 2 }", "expect = { mean = 2.00001 }"),
         ("expect = { mean = [2, 2, 2] }", "expect = { mean = [2, 2, 1.99999] }"),
         ("expect = { every-pixel = 2 }", "expect = { every-pixel = 2.00001 }"),
+        ("expect = { every-tile = 2 }", "expect = { every-tile = 2.00001 }"),
         ("expect = \"finite\"", "expect = \"black\""),
         ("expect = \"finite\"", "expect = { refused = \"\" }"),
         (

@@ -45,10 +45,15 @@ struct Tally {
     refused: usize,
     /// Frames, their time, and that of the slowest, by what they show.
     frames: BTreeMap<String, (u64, Duration, Duration)>,
+    /// The slowest of all, and what tells how to replay it.
+    slowest: (Duration, String),
 }
 
 impl Tally {
-    fn add(&mut self, what: String, time: Duration) {
+    fn add(&mut self, what: String, time: Duration, doing: String) {
+        if time > self.slowest.0 {
+            self.slowest = (time, doing);
+        }
         let (count, sum, most) = self.frames.entry(what).or_default();
         *count += 1;
         *sum += time;
@@ -69,6 +74,7 @@ impl Tally {
                 most.as_secs_f64()
             );
         }
+        eprintln!("the slowest: {}", self.slowest.1);
     }
 }
 
@@ -162,7 +168,7 @@ fn render_scene(number: u64, devices: &mut Devices, tally: &mut Tally, watchdog:
         let render = || render::frame(on, &camera, &settings, seed, &|_, _| {}).unwrap();
         let frame = render();
         check(&frame, method);
-        tally.add(shown(&settings), start.elapsed());
+        tally.add(shown(&settings), start.elapsed(), watchdog.doing());
         if percent(&mut rng, 10) {
             assert!(same_bytes(&frame, &render()), "the same frame twice has other bytes");
         }

@@ -122,6 +122,8 @@ pub enum Expect {
     Mean(Radiance),
     /// At each of its pixels.
     EveryPixel(Radiance),
+    /// The mean of each tile of 16 × 16 pixels.
+    EveryTile(Radiance),
     /// 0 everywhere.
     Black,
     /// A number everywhere.

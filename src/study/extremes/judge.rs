@@ -5,6 +5,9 @@ use super::cases::{Expect, Like};
 use crate::image::Image;
 use crate::metrics::Comparison;
 
+/// Pixels along a tile.
+const TILE: u32 = 16;
+
 /// An image and how it is looked at.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
@@ -21,6 +24,7 @@ pub fn judge(expect: &Expect, within: f64, seen: Seen<'_>, other: Option<&Image>
     match expect {
         Expect::Mean(radiance) => vec![seen.mean("mean", radiance.channels(), within)],
         Expect::EveryPixel(radiance) => vec![seen.every_pixel(radiance.channels(), within)],
+        Expect::EveryTile(radiance) => vec![seen.every_tile(radiance.channels(), within)],
         Expect::Black => vec![seen.black()],
         Expect::Finite => vec![seen.finite()],
         Expect::Like(like) => match other {
@@ -78,6 +82,23 @@ impl Seen<'_> {
             let worse = |a: f64, b: f64| if off(b, expected) > off(a, expected) { b } else { a };
             values.reduce(worse).unwrap_or(f64::NAN)
         })
+    }
+
+    fn every_tile(&self, expected: [f64; 3], within: f64) -> Figure {
+        let size = [self.image.width, self.image.height].map(|extent| extent.div_ceil(TILE));
+        let part = |at: u32, extent: u32| {
+            [at, at + 1].map(|edge| f64::from(edge * TILE) / f64::from(extent))
+        };
+        let tiles = (0..size[0] * size[1]).map(|index| {
+            let [left, right] = part(index % size[0], self.image.width);
+            let [top, bottom] = part(index / size[0], self.image.height);
+            let tile = Seen { region: Some([left, top, right, bottom]), ..*self };
+            tile.worst("worst tile", expected, within, |values, _| mean(values))
+        });
+        let worse = |a: Figure, b: Figure| if b.error > a.error { b } else { a };
+        tiles
+            .reduce(worse)
+            .unwrap_or_else(|| self.figure("worst tile", expected[0], f64::NAN, within))
     }
 
     fn black(&self) -> Figure {
@@ -203,6 +224,8 @@ mod tests {
         assert!(!holds(&Expect::Mean(color), 2e-3, &off, None));
         assert!(holds(&Expect::EveryPixel(color), 0.011, &off, None));
         assert!(!holds(&Expect::EveryPixel(color), 9e-3, &off, None));
+        assert!(holds(&Expect::EveryTile(color), 3e-3, &off, None));
+        assert!(!holds(&Expect::EveryTile(color), 2e-3, &off, None));
         let black = image([[0.0; 3]; 4]);
         let mut speck = black.clone();
         speck.pixels[1][2] = 1e-30;
@@ -232,6 +255,7 @@ mod tests {
             let kinds = [
                 Expect::Mean(zero),
                 Expect::EveryPixel(zero),
+                Expect::EveryTile(zero),
                 Expect::Black,
                 Expect::Finite,
                 Expect::Like(like.clone()),
