@@ -109,7 +109,7 @@ pub mod module {
         DIRECT_EXACT = "direct_exact";
         AREA_LIGHT = "area_light" for "area lights";
         PLACE_BY_AREA = "place_by_area" for "area lights";
-        PLACE_BY_ANGLE = "place_by_angle" for "area lights";
+        PLACE_BY_ANGLE = "place_by_angle" for "area lights near surfaces";
         SPHERE_CONE = "sphere_cone" for "sphere lights";
         SPHERE_LIGHT = "sphere_light" for "sphere lights";
         PATH_EMISSION_ANY = "path_emission_any" for "sphere lights";

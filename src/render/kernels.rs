@@ -190,7 +190,9 @@ pub fn all_programs() -> Vec<Program> {
         let shown = [Method::Normal, Method::Depth, Method::Albedo];
         programs.extend(shown.into_iter().filter_map(|method| show(target, method)));
         for kind in LightKind::ALL.into_iter().filter(|&kind| has_kind(target, kind)) {
-            programs.extend([false, true].map(|many| direct(target, kind, many)));
+            for near in [false, true] {
+                programs.extend([false, true].map(|many| direct(target, kind, many, near)));
+            }
         }
         let sharing = [Sharing::Cluster, Sharing::Fuzzy];
         programs.extend(sharing.map(|sharing| shade(target, false, sharing, Emitter::Point)));

@@ -4,6 +4,7 @@ mod area;
 mod bounds;
 mod directional;
 mod environment;
+mod near;
 mod point;
 mod sphere;
 mod table;
@@ -13,7 +14,7 @@ use std::f64::consts::PI;
 use glam::Vec3;
 
 use super::merge::VirtualLight;
-use crate::bvh::Ray;
+use crate::bvh::{Bvh, Ray};
 use crate::gpu::{
     AreaLightRecord, DirectionalLightRecord, Gpu, GpuError, PointLightRecord, SphereLightRecord,
     SpotLightRecord,
@@ -104,6 +105,11 @@ impl Lights {
             environment: EnvironmentLight::of(scene, &bounds),
             bounds,
         }
+    }
+
+    /// Whether emitting triangles are near to surfaces that they shine on.
+    pub fn any_near(&self, bvh: &Bvh) -> bool {
+        near::any_near(bvh, &self.area.records)
     }
 
     /// How many lights of a kind there are.

@@ -23,6 +23,8 @@ pub struct Plan {
     pub features: Features,
     /// Time spent on building the BVH.
     pub bvh_time: Duration,
+    /// Whether area lights are near to surfaces.
+    pub(super) near_lights: bool,
     subgroups: bool,
     literals: Option<Literals>,
     /// Whether what the scene does not need is linked, too.
@@ -36,8 +38,10 @@ impl Plan {
         let start = Instant::now();
         let bvh = Bvh::of(&scene);
         let bvh_time = start.elapsed();
+        let lights = Lights::of(&scene);
         Self {
-            lights: Lights::of(&scene),
+            near_lights: everything || lights.any_near(&bvh),
+            lights,
             features: Self::features(&scene, settings),
             literals: if everything { None } else { Literals::of(&scene, &bvh) },
             everything,

@@ -13,7 +13,7 @@ use crate::render::{LightKind, Plan, Sky, Target};
 
 /// What a kernel needs to draw from the lights of a kind with a density that is known by area.
 pub(super) fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
-    lights_by(target, kind, &PLACE_BY_AREA)
+    lights_by(target, kind, &PLACE_BY_ANGLE)
 }
 
 /// What a kernel needs to draw from the lights of a kind; `place` says where on a triangle.
@@ -45,13 +45,14 @@ fn lights_by(target: Target, kind: LightKind, place: &'static Module) -> Vec<&'s
 }
 
 /// Direct light from the lights of a kind. From many lights of some extent, those that give much
-/// are sought out.
-pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
+/// are sought out; from those that are near to surfaces, places are drawn by solid angle.
+pub fn direct(target: Target, kind: LightKind, many: bool, near: bool) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING];
     modules.extend(lobes(target));
     modules.extend(surfaces::rays(target));
     modules.push(&DIRECT);
-    modules.extend(lights_by(target, kind, &PLACE_BY_ANGLE));
+    let place = if near { &PLACE_BY_ANGLE } else { &PLACE_BY_AREA };
+    modules.extend(lights_by(target, kind, place));
     match kind.is_exact() {
         true => modules.push(&DIRECT_EXACT),
         false => modules.extend([if many { &DRAW_RESAMPLED } else { &DRAW_ONE }, &DIRECT_SAMPLED]),
@@ -71,7 +72,7 @@ pub fn direct(target: Target, kind: LightKind, many: bool) -> Program {
 pub fn direct_for(plan: &Plan, kind: LightKind) -> Program {
     /// A lamp or two, of which all points see much the same.
     const FEW_LIGHTS: u32 = 16;
-    direct(plan.target(), kind, plan.lights.count(kind) > FEW_LIGHTS)
+    direct(plan.target(), kind, plan.lights.count(kind) > FEW_LIGHTS, plan.near_lights)
 }
 
 /// Emission towards the camera.
