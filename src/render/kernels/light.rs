@@ -13,7 +13,7 @@ use crate::render::{LightKind, Plan, Sky, Target};
 
 /// What a kernel needs to draw from the lights of a kind with a density that is known by area.
 pub(super) fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
-    lights_by(target, kind, &PLACE_BY_ANGLE)
+    lights_by(target, kind, &PLACE_BY_AREA)
 }
 
 /// What a kernel needs to draw from the lights of a kind; `place` says where on a triangle.

@@ -75,9 +75,9 @@ mod tests {
     /// A lamp of 2 × 2 with a floor of the same size at this height before or behind it.
     fn plate(height: f64, two_sided: bool) -> bool {
         let text = format!(
-            "[camera]\nposition = [9, 9, 9]\ntarget = [0, 0, 0]\n\
+            "[camera]\nposition = [9, 9, 9]\ntarget = [0, 0, 0]\nfov = 40\nsize = [8, 8]\n\
              [[sphere]]\ncenter = [0, 0, {height}]\nradius = 0.125\nmaterial = \"ball\"\n\
-             [materials.ball]\n\
+             [materials.ball]\nalbedo = [0.5, 0.5, 0.5]\n\
              [[light]]\ntype = \"quad\"\ntwo_sided = {two_sided}\nradiance = [1, 1, 1]\n\
              corners = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]\n"
         );
