@@ -61,6 +61,7 @@ pub fn markdown(out: &mut (impl Write + ?Sized), report: &Report<'_>) -> io::Res
         report.count(Verdict::Refused),
         report.wrong(),
     )?;
+    summary(out, report)?;
     for row in &report.cases.rows {
         writeln!(out, "\n## {}\n\n{}. Treatment: {}.\n", row.about, row.wrong, row.treatment)?;
         writeln!(
@@ -81,6 +82,39 @@ pub fn markdown(out: &mut (impl Write + ?Sized), report: &Report<'_>) -> io::Res
         }
     }
     Ok(())
+}
+
+/// A line for each row: how many figures it has, and which of them is the nearest to its limit.
+fn summary(out: &mut (impl Write + ?Sized), report: &Report<'_>) -> io::Result<()> {
+    writeln!(out, "\n| row | figures | nearest to its limit | error | within | verdict |")?;
+    writeln!(out, "| --- | ---: | --- | ---: | ---: | --- |")?;
+    for row in &report.cases.rows {
+        let own: Vec<_> = report.judged.iter().filter(|judged| judged.row == row.name).collect();
+        let Some(worst) = own.iter().copied().reduce(nearer_to_its_limit) else { continue };
+        let (figure, case) = (&worst.figure, &worst.case);
+        let method = if figure.method.is_empty() { "" } else { ", " };
+        let what = escaped(&format!("{case}{method}{}: {}", figure.method, figure.what));
+        let (error, within) = (short(figure.error), short(figure.within));
+        let verdict = name(worst.verdict);
+        writeln!(
+            out,
+            "| {} | {} | {what} | {error} | {within} | {verdict} |",
+            row.name,
+            own.len()
+        )?;
+    }
+    Ok(())
+}
+
+/// Of two figures the wrong one, else that which uses more of what it may be off.
+fn nearer_to_its_limit<'a>(one: &'a Judged, other: &'a Judged) -> &'a Judged {
+    let used = |judged: &Judged| match (judged.verdict, judged.figure.within) {
+        (Verdict::Wrong, _) => f64::INFINITY,
+        (Verdict::Refused, _) => -1.0,
+        (Verdict::Right, within) if within > 0.0 => judged.figure.error / within,
+        (Verdict::Right, _) => 0.0,
+    };
+    if used(other) > used(one) { other } else { one }
 }
 
 fn cells(judged: &Judged) -> [String; 8] {
@@ -213,6 +247,7 @@ mod tests {
         csv(&mut lines, &report).unwrap();
         let md = String::from_utf8(md).unwrap();
         assert!(md.contains("| c | vpl | a, b\\|c | 1 | 1 | 0 | 0.5 | right |"), "{md}");
+        assert!(md.contains("| r | 2 | c, vpl: a, b\\|c | NaN | 0.5 | WRONG |"), "{md}");
         assert!(md.contains("2 figures: 1 right, 0 refused as they must be, 1 wrong."), "{md}");
         let lines = String::from_utf8(lines).unwrap();
         assert!(lines.ends_with("r,c,vpl,\"a, b|c\",1,NaN,NaN,0.5,WRONG,\n"), "{lines}");
