@@ -43,7 +43,8 @@ fn main(
     let limit = select(0.0, select(HUGE, far, first), is);
     let origin = point.position + params.offset * point.normal;
     let sight = follow(
-        origin, drawn.direction, limit, params.nodes, params.offset, params.first_sample,
+        origin, drawn.direction, limit, params.nodes, params.offset,
+        params.first_sample + slot % params.samples,
         hash(stream ^ hash(TURN_STREAM + params.bounce)), invocation,
     );
     let hit = sight.hit;

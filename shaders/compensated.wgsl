@@ -6,7 +6,8 @@ struct CompensatedParams {
     // Of a path in the mean.
     share: f32,
     lobe: u32,
-    pad: u32,
+    // Of each point.
+    paths: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: CompensatedParams;
@@ -16,6 +17,8 @@ struct CompensatedParams {
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.points { return; }
-    let given = vec4f(radiance[id.x].rgb * params.share, 0.0);
-    irradiance[id.x] += gathered_by(params.lobe, given);
+    var sum = vec3f(0.0);
+    let first = id.x * params.paths;
+    for (var path = first; path < first + params.paths; path++) { sum += radiance[path].rgb; }
+    irradiance[id.x] += gathered_by(params.lobe, vec4f(sum * params.share, 0.0));
 }

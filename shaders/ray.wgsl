@@ -52,6 +52,10 @@ struct Meeting {
 // an edge and twice a corner, and 7 half ulps are lost on the way to the sum.
 const VOLUME_ROUNDING = 1.7e-6;
 
+// A triangle that a ray meets by that slack alone comes after one at the same place that it meets:
+// a ray beside a wall's foot is to see the floor of its own side.
+const BEYOND = 1.00001;
+
 fn largest(v: vec3f) -> f32 {
     return max(v.x, max(v.y, v.z));
 }
@@ -87,7 +91,8 @@ fn intersect(a: vec3f, b: vec3f, c: vec3f, direction: vec3f) -> Meeting {
     let speed = dot(normal, direction);
     let weights = weights_of(volumes);
     let inside = (least >= -slack || most <= slack) && speed != 0.0 && weights.x >= 0.0;
-    return Meeting(dot(normal, a) / speed, inside, weights);
+    let t = dot(normal, a) / speed;
+    return Meeting(select(t * BEYOND, t, least >= 0.0 || most <= 0.0), inside, weights);
 }
 
 // The weights of a triangle's corners, none below 0; -1 if there are none.

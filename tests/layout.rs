@@ -125,8 +125,8 @@ fn records() -> Vec<Record> {
             paths, bounce, first_sample, samples, lights, nodes, offset, light_density,
             background, solid_density, bound, lobe,
         }),
-        record!(StartParams as "StartParams" { points, first_block, seed, pad }),
-        record!(CompensatedParams as "CompensatedParams" { points, share, lobe, pad }),
+        record!(StartParams as "StartParams" { points, first_block, seed, paths }),
+        record!(CompensatedParams as "CompensatedParams" { points, share, lobe, paths }),
         record!(ArrivalRecord as "Arrival" { diffuse, diffuse_g, glossy, glossy_g }),
         record!(InterleaveParams as "InterleaveParams" {
             width, height, s, rotation, subset_width, subset_points, points, pass_number,

@@ -38,6 +38,8 @@ impl TriangleRecord {
 /// edge and of the corners and the sum of the direction's: a product of two vectors has 2 terms of
 /// an edge and twice a corner, and 7 half ulps are lost on the way to the sum.
 const VOLUME_ROUNDING: f32 = 1.7e-6;
+/// A triangle that a ray meets by that slack alone comes after one at the same place that it meets.
+const BEYOND: f32 = 1.000_01;
 
 /// From the volumes that the ray spans with the edges. An edge gives exactly opposite volumes to
 /// its two triangles, so that no ray slips between them (Woop, Benthin and Wald, "Watertight
@@ -58,7 +60,8 @@ fn meet_triangle(ray: &Ray, corners: [Vec3; 3]) -> Option<Meeting> {
     }
     let normal = (b - a).cross(c - a);
     let (height, speed) = (normal.dot(a), normal.dot(d));
-    let t = height / speed;
+    let strict = u.min(v).min(w) >= 0.0 || u.max(v).max(w) <= 0.0;
+    let t = if strict { height / speed } else { height / speed * BEYOND };
     let side = if u + v + w >= 0.0 { 1.0 } else { -1.0 };
     let [u, v, w] = [u, v, w].map(|volume| (side * volume).max(0.0));
     let sum = u + v + w;

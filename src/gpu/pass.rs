@@ -51,20 +51,6 @@ impl Gpu {
         Ok(time)
     }
 
-    /// Copies the first `bytes` of buffers to others, before the next submission.
-    ///
-    /// # Errors
-    /// As [`Gpu::run`].
-    pub fn copy(&self, pairs: &[[&wgpu::Buffer; 2]], bytes: &[u64]) -> Result<(), GpuError> {
-        self.checked("copying buffers", || {
-            let mut encoder = self.device.create_command_encoder(&Default::default());
-            for ([from, to], bytes) in pairs.iter().zip(bytes) {
-                encoder.copy_buffer_to_buffer(from, 0, to, 0, *bytes);
-            }
-            self.queue.submit([encoder.finish()]);
-        })
-    }
-
     /// Sets whole buffers to zero.
     ///
     /// # Errors

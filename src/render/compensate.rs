@@ -35,6 +35,9 @@ use crate::sampling::hash;
 /// Paths of a pixel, over all its samples, where pixels combine what they have gathered, which takes
 /// the noise off; and where they do not.
 const PATHS_OF_PIXEL: [u32; 2] = [8, 32];
+/// Paths that are traced at once, at most, but one of each visible point: many, so that the passes
+/// themselves cost little in small images, where paths may be long.
+const AT_ONCE: usize = 1 << 19;
 /// Keeps the random numbers apart from those of other passes.
 const STREAM: u32 = 0x636f_6d70;
 
@@ -43,8 +46,9 @@ const STREAM: u32 = 0x636f_6d70;
 pub struct Compensation {
     bound: f32,
     bounces: Bounces,
-    /// Paths of each visible point.
+    /// Paths of each visible point, and how many of them are traced at once.
     paths: u32,
+    at_once: u32,
     seed: u32,
     /// How many VPLs light has reached in at most so many bounces.
     vpls_within: Vec<u32>,
@@ -73,11 +77,16 @@ impl Compensation {
         points: usize,
     ) -> Result<Self, GpuError> {
         let gpu = &prepared.gpu;
-        let vertices = Vertices::new(prepared, points)?;
+        let [combined, alone] = PATHS_OF_PIXEL;
+        let paths = if settings.interleaves() { combined } else { alone };
+        let paths = paths.div_ceil(settings.samples);
+        let at_once = (AT_ONCE / points).clamp(1, paths as usize);
+        let slots = points * at_once;
+        let vertices = Vertices::new(prepared, slots)?;
         let (by_bounce, vpls_within) = by_bounces(vpls, prepared);
         let table = light_set::table(prepared, &by_bounce)?;
         let arrivals = match prepared.features.phong {
-            true => Some(gpu.storage::<ArrivalRecord>("arrivals", points)?),
+            true => Some(gpu.storage::<ArrivalRecord>("arrivals", slots)?),
             false => None,
         };
         let mut named = vertices.named(prepared);
@@ -85,18 +94,18 @@ impl Compensation {
         named.extend(arrivals.iter().map(|buffer| ("arrivals", buffer)));
         let output = tile.compensated.as_ref().or(tile.irradiance.as_ref());
         named.extend(output.map(|buffer| ("irradiance", buffer)));
-        let [combined, alone] = PATHS_OF_PIXEL;
-        let paths_of_pixel = if settings.interleaves() { combined } else { alone };
+        named.push(("visible", &tile.points));
         let target = prepared.target();
         let areas = prepared.lights.have_surfaces();
         let bind = |program| Stage::new(prepared, &program, &named);
         Ok(Self {
             bound,
             bounces: settings.bounces,
-            paths: paths_of_pixel.div_ceil(settings.samples),
+            paths,
+            at_once: at_once as u32,
             seed: hash(seed ^ STREAM),
             vpls_within,
-            queue: Queue::new(prepared, &named, points)?,
+            queue: Queue::new(prepared, &named, slots)?,
             start: bind(programs::start())?,
             lights: next_event(prepared, &named, &|kind| programs::next_event(target, kind))?,
             vpls: bind(programs::vpls(target))?,
@@ -119,31 +128,35 @@ impl Compensation {
         let start = Instant::now();
         prepared.gpu.clear(&buffers.compensated.iter().collect::<Vec<_>>())?;
         for lobe in 0..prepared.target().lobes() as u32 {
-            prepared.gpu.clear(&[&self.vertices.radiance])?;
-            for path in 0..self.paths {
-                self.trace(prepared, buffers, tile, tile.sample * self.paths + path, lobe)?;
+            for first in (0..self.paths).step_by(self.at_once as usize) {
+                let paths = self.at_once.min(self.paths - first);
+                self.trace(prepared, tile, tile.sample * self.paths + first, paths, lobe)?;
+                let (points, share) = (tile.points(), 1.0 / self.paths as f32);
+                let params = CompensatedParams { points, share, lobe, paths };
+                self.add.run(prepared, &params, [tile.blocks, 1])?;
             }
-            let (points, share) = (tile.points(), 1.0 / self.paths as f32);
-            let params = CompensatedParams { points, share, lobe, pad: 0 };
-            self.add.run(prepared, &params, [tile.blocks, 1])?;
         }
         Ok(start.elapsed())
     }
 
-    /// One path from each visible point to its end, `number` in its pixel's sequence, by a lobe.
+    /// Some paths from each visible point to their ends, the first of them `number` in its pixel's
+    /// sequence, by a lobe.
     fn trace(
         &self,
         prepared: &Prepared,
-        buffers: &Buffers,
         tile: Tile,
         number: u32,
+        paths: u32,
         lobe: u32,
     ) -> Result<(), GpuError> {
-        self.begin(prepared, buffers, tile)?;
+        prepared.gpu.clear(&[&self.vertices.radiance])?;
+        let (points, seed) = (tile.points(), self.seed);
+        let start = StartParams { points, first_block: tile.first_block, seed, paths };
+        self.start.run(prepared, &start, [tile.blocks * paths, 1])?;
         let mut params = PathParams {
-            paths: tile.points(),
+            paths: points * paths,
             first_sample: number,
-            samples: 1,
+            samples: paths,
             bound: self.bound,
             lobe,
             ..path_params(prepared)
@@ -166,26 +179,6 @@ impl Compensation {
             params.paths = self.queue.survivors(prepared, &params)?;
             params.bounce += 1;
         }
-        Ok(())
-    }
-
-    /// Puts a path at each visible point.
-    fn begin(&self, prepared: &Prepared, buffers: &Buffers, tile: Tile) -> Result<(), GpuError> {
-        let points = u64::from(tile.points());
-        let mut pairs = vec![[&buffers.points, &self.vertices.points]];
-        let mut bytes = vec![points * size_of::<PointRecord>() as u64];
-        for ((_, from), (_, to)) in buffers.kept.iter().zip(&self.vertices.kept) {
-            pairs.push([from, to]);
-            bytes.push(points * size_of::<[f32; 4]>() as u64);
-        }
-        prepared.gpu.copy(&pairs, &bytes)?;
-        let params = StartParams {
-            points: tile.points(),
-            first_block: tile.first_block,
-            seed: self.seed,
-            pad: 0,
-        };
-        self.start.run(prepared, &params, [tile.blocks, 1])?;
         Ok(())
     }
 

@@ -218,8 +218,8 @@ pub struct StartParams {
     pub first_block: u32,
     /// Of the random numbers.
     pub seed: u32,
-    /// Unused.
-    pub pad: u32,
+    /// Paths of each point.
+    pub paths: u32,
 }
 
 /// Parameters of the pass that adds what bias compensation gives back.
@@ -232,8 +232,8 @@ pub struct CompensatedParams {
     pub share: f32,
     /// See [`PathParams::lobe`].
     pub lobe: u32,
-    /// Unused.
-    pub pad: u32,
+    /// Paths of each point.
+    pub paths: u32,
 }
 
 /// What arrives at a vertex of bias compensation in scenes with Phong surfaces, 32 bytes.
