@@ -29,6 +29,8 @@
 //!    of them) and each VPL.
 //! 9. **Shading**: every visible point gathers every VPL that it sees; or one of s² subsets of
 //!    them, which the pixels around it complete.
+//!    The bound on near VPLs takes light away; short paths give it back where the settings ask for
+//!    that: `src/render/compensate.rs`.
 //! 10. **Antialiasing**: where surfaces meet in a pixel, more camera rays weigh the radiance of
 //!     the visible points around.
 //! 11. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done

@@ -76,8 +76,8 @@ impl Default for Clustering {
     ///
     /// The built-in room, of small and curved surfaces, in the columns of the table: C = 500
     /// 20, 18, 15 and 14 %; C = 2000 13, 12, 11 and 10 %; C = 8000 8.5, 7.4, 7.7 and 6.6 %.
-    /// Visibility of 1000 clusters of VPLs: 10 % with members, 19 % with means, which hover
-    /// off the surfaces. Thresholds of the normals of 0.7, 0.9 and 0.97: 9.3, 9.0 and 10.9 %.
+    /// Visibility of 1000 clusters of VPLs: 10 % with members, 19 % with means before those
+    /// were lifted to the surfaces. Thresholds of the normals of 0.7, 0.9 and 0.97: 9.3, 9.0 and 10.9 %.
     fn default() -> Self {
         Self {
             points: 2600,
