@@ -27,9 +27,7 @@ use super::path::{finding_light, finds_light, path_params};
 use super::stages::{Buffers, Stage};
 use super::vpl::Vpl;
 use super::{Bounces, Prepared, Settings};
-use crate::gpu::{
-    ArrivalRecord, CompensatedParams, GpuError, PathParams, PointRecord, StartParams,
-};
+use crate::gpu::{ArrivalRecord, CompensatedParams, GpuError, PathParams, StartParams};
 use crate::sampling::hash;
 
 /// Paths of a pixel, over all its samples, where pixels combine what they have gathered, which takes
