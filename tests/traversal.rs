@@ -9,11 +9,12 @@
 mod common;
 
 use common::Rng;
-use common::tracing::{cube, on_all, random_rays, soup, triangle};
+use common::tracing::{on_all, random_rays, soup, triangle};
 use glam::{DVec3, Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::gpu::PointRecord;
 use gpu_vpl::scene::Triangle;
+use gpu_vpl::study::extremes::checks::rays::cube;
 use gpu_vpl::study::extremes::checks::trace::{Answer, on_host};
 
 #[derive(Debug, Clone, Copy, PartialEq)]

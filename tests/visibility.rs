@@ -4,7 +4,7 @@ mod common;
 
 use common::Rng;
 use common::gather::{visible, visible_in};
-use common::tracing::{cube, soup, world_of_triangles};
+use common::tracing::{soup, world_of_triangles};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::gpu::{PointRecord, VplRecord};
@@ -13,6 +13,7 @@ use gpu_vpl::render::literals::Literals;
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::Triangle;
 use gpu_vpl::study::extremes::checks::gather::{point, vpl};
+use gpu_vpl::study::extremes::checks::rays::cube;
 use gpu_vpl::study::extremes::checks::trace::World;
 
 /// With literals for small scenes.

@@ -8,7 +8,7 @@ pub mod gather;
 mod input;
 mod measure;
 pub mod random;
-mod rays;
+pub mod rays;
 mod same;
 mod stage;
 mod sums;
