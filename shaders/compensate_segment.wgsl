@@ -54,7 +54,7 @@ fn main(
         select(drawn.density * dot(point.normal, drawn.direction), CERTAIN, is_turned(sight));
     var goes_on = false;
     if is && hit.triangle != NOTHING {
-        let next = hit_point(hit, sight.direction);
+        let next = hit_point(hit, sight.direction, params.offset);
         // The light of virtual point lights comes by no mirror: nothing is removed of what a
         // vertex sees in one, and the visible point has none of it.
         let turned = select(HUGE, 0.0, first);

@@ -31,7 +31,7 @@ fn follow(
     var reach = limit;
     for (var i = 0u; i <= MOST_SPECULAR; i++) {
         let hit = traverse(at, seen.direction, reach, node_count, false, invocation);
-        let point = hit_point(hit, seen.direction);
+        let point = hit_point(hit, seen.direction, offset);
         let finish = finish_of(point);
         let goes_on = reach > 0.0 && hit.triangle != NOTHING && finish.kind >= MIRROR;
         if reach > 0.0 { seen.hit = hit; }

@@ -24,7 +24,7 @@ fn main(
         params.sample + slot % params.rays, stream, invocation,
     );
     if is {
-        let point = hit_point(sight.hit, sight.direction);
+        let point = hit_point(sight.hit, sight.direction, params.offset);
         points[slot] = with_view(point, sight.direction);
         keep_albedo(slot, sight.hit, point);
         keep_glow(slot, sight.hit, point);

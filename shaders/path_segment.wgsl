@@ -39,7 +39,7 @@ fn main(
     let drawn = scattered.density * dot(point.normal, direction);
     let density = select(drawn, CERTAIN, is_turned(sight));
     if hit.triangle != NOTHING {
-        let next = hit_point(hit, sight.direction);
+        let next = hit_point(hit, sight.direction, params.offset);
         points[slot] = with_view(next, sight.direction);
         keep_albedo(slot, hit, next);
         keep_glow(slot, hit, next);

@@ -23,7 +23,7 @@ fn main(
     );
     if sight.hit.triangle != NOTHING { film[id.x].w += 1.0; }
     if id.x < params.blocks * 64u {
-        let point = hit_point(sight.hit, sight.direction);
+        let point = hit_point(sight.hit, sight.direction, params.offset);
         points[id.x] = with_view(point, sight.direction);
         keep_albedo(id.x, sight.hit, point);
         keep_glow(id.x, sight.hit, point);

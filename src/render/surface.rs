@@ -3,7 +3,12 @@
 use glam::Vec3;
 
 use crate::bvh::Hit;
+use crate::sampling::SURFACE_OFFSET;
 use crate::scene::{Scene, texture};
+
+/// How far places are moved back, of the offset of rays from surfaces: some 8 times the rounding of
+/// a place.
+const BACK: f32 = 0.25;
 
 /// A place on a surface, on the side from which a ray came.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,9 +26,13 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// What a ray of this direction has hit.
+    /// What a ray of this unit direction has hit.
     pub fn of(scene: &Scene, hit: &Hit, direction: Vec3) -> Self {
         let (position, normal) = place(scene, hit);
+        // Back along the surface: at a wall's foot a ray meets the wall and, by rounding no later,
+        // the floor behind it.
+        let along = direction.reject_from_normalized(normal);
+        let position = position - BACK * SURFACE_OFFSET * along;
         let front = normal.dot(direction) <= 0.0;
         let material = &scene.materials[hit.material as usize];
         let texture = textured(scene, material.texture, hit);
