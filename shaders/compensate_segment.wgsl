@@ -7,11 +7,6 @@
 @group(0) @binding(23) var<storage, read> queue: array<u32>;
 @group(0) @binding(24) var<storage, read_write> survivors: array<u32>;
 
-// Scrambles what decides at mirrors and glass.
-const TURN_STREAM = 0x7475726eu;
-// So dense is no other way to the same place.
-const CERTAIN = 1e15;
-
 // The geometry term between two points.
 fn geometry(here: Point, there: Point) -> f32 {
     let d = there.position - here.position;
@@ -41,17 +36,10 @@ fn main(
     // A segment from the visible point finds no light; the slack is of the ray's offset.
     let far = min(1.01 * farthest(point, drawn.direction) + 4.0 * params.offset, HUGE);
     let limit = select(0.0, select(HUGE, far, first), is);
-    let origin = point.position + params.offset * point.normal;
-    let sight = follow(
-        origin, drawn.direction, limit, params.nodes, params.offset,
-        params.first_sample + slot % params.samples,
-        hash(stream ^ hash(TURN_STREAM + params.bounce)), invocation,
-    );
+    let sight = follow_path(slot, stream, point, drawn.direction, limit, invocation);
     let hit = sight.hit;
     let throughput = throughput_of(sight) / probability;
-    // No shadow ray would have gone this way if it was turned.
-    let density =
-        select(drawn.density * dot(point.normal, drawn.direction), CERTAIN, is_turned(sight));
+    let density = found_density(point, drawn, sight);
     var goes_on = false;
     if is && hit.triangle != NOTHING {
         let next = hit_point(hit, sight.direction, params.offset);

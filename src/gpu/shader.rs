@@ -172,6 +172,7 @@ pub mod module {
         MIS = "mis";
         PATH_EMISSION = "path_emission" for "area lights";
         PATH_NO_EMISSION = "path_no_emission";
+        PATH_FOLLOW = "path_follow";
         PATH_SEGMENT = "path_segment" for "path tracing";
         PATH_COUNT = "path_count" for "path tracing";
         PATH_COMPACT = "path_compact" for "path tracing";

@@ -5,10 +5,10 @@ use crate::gpu::module::{
     BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
     FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS, NO_ROULETTE, PATH, PATH_BACK,
     PATH_BACKGROUND, PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT,
-    PATH_EMISSION, PATH_EMISSION_ANY, PATH_EXACT, PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND,
-    PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, PHONG,
-    ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, SPHERE_CONE, THROUGHPUT_NONE,
-    THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
+    PATH_EMISSION, PATH_EMISSION_ANY, PATH_EXACT, PATH_FOLLOW, PATH_FOUND, PATH_LIGHT,
+    PATH_NO_BACKGROUND, PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE,
+    PATH_SUM, PHONG, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, SPHERE_CONE,
+    THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, LightKind, Settings, Sky, Target};
@@ -89,7 +89,7 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
 pub(super) fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static Module> {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = follow(target);
-    last.extend([survival, surfaces::glow(target.features)]);
+    last.extend([&PATH_FOLLOW, survival, surfaces::glow(target.features)]);
     last.extend(surfaces::keep(target.features));
     let sky = target.features.sky;
     if areas || sky.shines() {
