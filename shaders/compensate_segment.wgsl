@@ -7,6 +7,9 @@
 @group(0) @binding(23) var<storage, read> queue: array<u32>;
 @group(0) @binding(24) var<storage, read_write> survivors: array<u32>;
 
+// A geometry term above any bound, and any pair of lobes times it is finite.
+const ALL_REMOVED = 1e20;
+
 // The geometry term between two points.
 fn geometry(here: Point, there: Point) -> f32 {
     let d = there.position - here.position;
@@ -45,7 +48,7 @@ fn main(
         let next = hit_point(hit, sight.direction, params.offset);
         // The light of virtual point lights comes by no mirror: nothing is removed of what a
         // vertex sees in one, and the visible point has none of it.
-        let turned = select(HUGE, 0.0, first);
+        let turned = select(ALL_REMOVED, 0.0, first);
         let g = select(geometry(point, next), turned, is_turned(sight));
         keep_albedo(slot, hit, next);
         keep_glow(slot, hit, next);

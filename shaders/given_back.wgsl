@@ -6,7 +6,7 @@ fn with_given_back(point: u32, light: Gathered) -> Gathered {
     return light + compensated[point];
 }
 
-// Over the image: what pixels have combined is as much as they had.
+// Over the image: what pixels have combined is about as much as they had.
 fn without_given_back(point: u32, light: Gathered) -> Gathered {
     return light + compensated[point] * -1.0;
 }

@@ -332,16 +332,24 @@ fn spread(lights: &[VirtualLight], count: usize) -> Vec<VirtualLight> {
 /// | 32000 | 1/32 | .0012 | 1.6 | .0037 | 1.6 |
 /// | | 1/64 | .0011 | 1.4 | .0035 | 1.5 |
 /// | | 1/125 | .0011 | 1.3 | .0035 | 1.4 |
+///
+/// Where light stays lost that paths from the camera do not find, the bound is not lowered: no image
+/// is darker for it.
 const COMPENSATED: f32 = 1.0 / 64.0;
+
+/// Bounds on G in normalised units that differ from no bound, and from no light, at any distance of
+/// places in f32; shaders compute with their inverse and square.
+const BOUNDS: [f64; 2] = [1e-18, 1e18];
 
 /// The bound on G in normalised units; none when it is off or there are no VPLs.
 fn bound(prepared: &Prepared, settings: &Settings, vpls: &[Vpl]) -> Option<f32> {
     let scale = prepared.scene.units.scale;
+    let given_back = settings.compensates() && !prepared.scene.has_hidden_caustics();
     match settings.clamp {
         _ if vpls.is_empty() => None,
         Clamp::Off => None,
-        Clamp::At(bound) => Some((bound * scale * scale) as f32),
+        Clamp::At(bound) => Some((bound * scale * scale).clamp(BOUNDS[0], BOUNDS[1]) as f32),
         Clamp::Auto => vpl::density_bound(vpls, &prepared.scene)
-            .map(|bound| if settings.compensates() { bound * COMPENSATED } else { bound }),
+            .map(|bound| if given_back { bound * COMPENSATED } else { bound }),
     }
 }

@@ -77,7 +77,7 @@ pub enum BounceLimit {
 pub struct Seconds {
     /// pT of the first frame: VPLs and clusters.
     pub preprocess: f64,
-    /// rT of the first frame: visibility and shading.
+    /// rT of the first frame: visibility, shading and compensation.
     pub render: f64,
     /// The whole process until the outputs were encoded.
     pub total: f64,
@@ -238,7 +238,7 @@ impl Report {
             peak_memory_bytes: peak_memory_bytes(),
             clamp: counts.clamp,
             clamped_fraction: counts.clamped_fraction,
-            compensated: settings.compensates(),
+            compensated: counts.clamp.is_some() && settings.compensates(),
             truncated_fraction: counts.truncated_fraction,
             standard_error: first.standard_error.as_ref().map(root_mean_square),
             nonfinite_pixels: counts.nonfinite_pixels,

@@ -272,6 +272,13 @@ impl Scene {
             || self.spheres.iter().any(|sphere| specular(sphere.material))
     }
 
+    /// Whether mirrors or glass may turn light that has no extent, which paths from the camera never
+    /// run into.
+    pub fn has_hidden_caustics(&self) -> bool {
+        let points = self.point_lights.len() + self.directional_lights.len();
+        points > 0 && self.has_specular()
+    }
+
     /// How many light sources there are; each triangle and sphere that emits is one.
     pub fn light_count(&self) -> usize {
         let emits = |sphere: &&Sphere| self.materials[sphere.material as usize].emits();

@@ -61,7 +61,8 @@ pub struct RenderArgs {
     pub clamp: Clamp,
 
     /// Give back what the bound removed, by short paths from the visible points: no bias, and no
-    /// dark corners, for some noise and time. Nothing where nothing is bounded
+    /// dark corners, for some noise and time. Nothing where nothing is bounded; light of point,
+    /// spot and directional lights that mirrors or glass have turned stays bounded
     #[arg(long, value_name = "true|false", num_args = 0..=1, require_equals = true,
           default_value_t = false, default_missing_value = "true", hide_default_value = true,
           action = clap::ArgAction::Set)]

@@ -66,7 +66,14 @@ pub fn caustics(scene: &Scene, settings: &Settings) -> Option<Warning> {
         };
         let what = "light that reaches a surface only through mirror or glass (a caustic seen \
                     directly) is not in the image of method";
-        return Some(Warning::note(format!("{name}: {what} {method}; {path}")));
+        let lost = match settings.compensates() && scene.has_hidden_caustics() {
+            true => {
+                "; and what the bound takes of light that mirror or glass have turned is not given \
+                 back where its source has no extent"
+            }
+            false => "",
+        };
+        return Some(Warning::note(format!("{name}: {what} {method}; {path}{lost}")));
     }
     (settings.method == Method::Path && points > 0).then(|| {
         let what = "light of point, spot and directional lights that reaches a surface only \
