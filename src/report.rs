@@ -49,7 +49,7 @@ pub struct Report {
     /// In 1/length² of the scene file's units; null when off or unused.
     pub clamp: Option<f64>,
     pub clamped_fraction: f64,
-    /// Whether that share of the indirect light was given back.
+    /// Whether that share of the indirect light was given back; false where nothing is bounded.
     pub compensated: bool,
     /// The share of the flux that light paths still carry when `bounces` ends them; null where it
     /// does not.

@@ -10,9 +10,8 @@ const BLOCK: u32 = 1 << 16;
 /// Dimensions that it holds.
 const DIMENSIONS: u32 = 256;
 
-/// Distance by which rays are kept off surfaces, in normalised units, in which the scene's
-/// larger half-extent is between 1/2 and 1: some 32 times the rounding of a position or of
-/// a plane there.
+/// Distance by which rays are kept off surfaces, in normalised units, in which the scene's largest
+/// half-extent is 1: some 32 times the rounding of a position or of a plane there.
 pub const SURFACE_OFFSET: f32 = 1.0 / 262_144.0;
 
 /// A seeded sequence of points in [0, 1)^∞ (Burley, "Practical Hash-based Owen Scrambling",

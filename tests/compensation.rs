@@ -10,6 +10,7 @@ use common::paths::{self, mean_and_error};
 use common::{Build, difference, frame, furnace, mean, open_gpu, room};
 use glam::{DVec3, Vec3, dvec3};
 use gpu_vpl::gpu::Gpu;
+use gpu_vpl::metrics::largest;
 use gpu_vpl::render::{Bounces, Clamp, Direct, Frame, Method, Prepared, Settings};
 use gpu_vpl::scene::{Environment, Finish, Scene};
 
@@ -27,7 +28,7 @@ fn render(gpu: Gpu, scene: &Scene, settings: &Settings) -> Frame {
 
 /// The largest deviation of the mean of a channel, relative.
 fn off(got: [f64; 3], expected: [f64; 3]) -> f64 {
-    (0..3).map(|channel| (got[channel] / expected[channel] - 1.0).abs()).fold(0.0, f64::max)
+    largest((0..3).map(|channel| (got[channel] / expected[channel] - 1.0).abs()))
 }
 
 #[test]
@@ -90,11 +91,8 @@ fn corners_are_those_of_the_path_tracer() {
                 assert!(off(mean_got, mean_expected) < 0.015, "{what}: {mean_got:?}");
                 // 1024 compensating paths a tile and 2000 light paths: the worst of 36 tiles. With
                 // the bound on and nothing given back a corner lacks more than half.
-                let worst = tiles_of(&frame)
-                    .iter()
-                    .zip(&reference)
-                    .map(|(a, b)| off(*a, *b))
-                    .fold(0.0, f64::max);
+                let tiles = tiles_of(&frame);
+                let worst = largest(tiles.iter().zip(&reference).map(|(a, b)| off(*a, *b)));
                 assert!(worst < 0.15, "{what}: a tile is off by {worst}");
             }
         }

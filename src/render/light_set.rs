@@ -123,9 +123,8 @@ fn curve(lights: &[VirtualLight]) -> Vec<u32> {
     order
 }
 
-/// Positions within [-2, 2] by their places among all. Normalised units will not do: they differ
-/// by up to a factor of 2 with the units of the file, and with them the cells of the curve, which
-/// decide what subsets lights are dealt to.
+/// Positions within [-2, 2] by their places among all, so that the cells of the curve, which decide
+/// what subsets lights are dealt to, fit the lights, and not the scene around them.
 fn within(positions: impl Iterator<Item = Vec3> + Clone) -> impl Fn(Vec3) -> Vec3 {
     let low = positions.clone().fold(Vec3::INFINITY, Vec3::min);
     let high = positions.fold(Vec3::NEG_INFINITY, Vec3::max);

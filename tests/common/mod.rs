@@ -14,6 +14,7 @@ use std::sync::OnceLock;
 
 use glam::{DVec3, Vec2, dvec3};
 use gpu_vpl::gpu::{AdapterChoice, Gpu};
+use gpu_vpl::metrics::largest;
 use gpu_vpl::render::{self, Frame, Prepared, Settings};
 use gpu_vpl::scene::{
     Draft, DraftCamera, DraftMaterial, DraftSphere, Finish, FovAxis, Origin, Scene, Texels, Texture,
@@ -201,7 +202,7 @@ pub fn difference(one: &[[f32; 3]], two: &[[f32; 3]]) -> f64 {
     let all = || one.as_flattened().iter().zip(two.as_flattened());
     let mean = all().map(|(_, &b)| f64::from(b.abs())).sum::<f64>() / (3 * two.len()) as f64;
     assert!(mean > 0.0, "a black image compares with everything");
-    all().map(|(&a, &b)| f64::from((a - b).abs())).fold(0.0, f64::max) / mean
+    largest(all().map(|(&a, &b)| f64::from((a - b).abs()))) / mean
 }
 
 /// The mean of an image, per channel.

@@ -96,8 +96,8 @@ fn any_turn() -> impl Strategy<Value = DMat3> {
     })
 }
 
-/// Methods that draw directions: their means over many VPLs and paths, without a bound, which
-/// depends on where VPLs happen to be.
+/// Methods that draw directions: their means over many VPLs and paths, with a fixed bound: the
+/// default depends on where VPLs happen to be.
 fn many(method: Method) -> Settings {
     Settings {
         light_paths: 8000,

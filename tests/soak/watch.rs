@@ -70,11 +70,12 @@ impl Memory {
     /// How far the floor of the last quarter lies above that of the second: the first warms up,
     /// and the allocator keeps pages of a large scene for a while, which lifts single values but
     /// not the floor. What leaks lifts the floor.
+    /// Nothing grows in fewer scenes than there are quarters.
     pub fn growth(&self) -> u64 {
         let quarter = self.0.len() / 4;
-        let floor = |of: &[u64]| of.iter().min().copied().unwrap_or(0);
+        let floor = |of: &[u64]| of.iter().min().copied();
         let (early, late) = (&self.0[quarter..2 * quarter], &self.0[3 * quarter..]);
-        floor(late).saturating_sub(floor(early))
+        floor(early).zip(floor(late)).map_or(0, |(early, late)| late.saturating_sub(early))
     }
 
     pub fn summary(&self) -> String {

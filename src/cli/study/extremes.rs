@@ -5,7 +5,7 @@ use super::outputs::{TABLE, Tables};
 use super::{StudyArgs, command, interrupt};
 use crate::cli::{adapter_choice, console, render};
 use crate::error::Error;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, GpuError};
 use crate::study::extremes::table::Report;
 use crate::study::extremes::{Asked, CASES, Cases, Front, Judged, Runner, Scale, Verdict};
 
@@ -20,7 +20,8 @@ pub fn front() -> Front {
     }
 }
 
-/// Runs all cases and writes the tables.
+/// Runs all cases and writes the tables, anew each time: they say whether this program is right, on
+/// this device. Interrupted, it writes those of the cases that it has come to.
 ///
 /// # Errors
 /// Usage is refused, an output cannot be written, there is no device, the user interrupts; or,
@@ -36,8 +37,15 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
         Report { cases: &cases, command: command(), adapter: Some(info), judged: Vec::new() };
     let mut runner =
         Runner::new(&cases, Scale::Full, front(), adapter).interrupted_by(interrupt()?);
+    let mut interrupted = false;
     for (number, case) in (1..).zip(&cases.cases) {
-        let judged = runner.run(case)?;
+        let judged = match runner.run(case) {
+            Err(Error::Gpu(GpuError::Interrupted)) => {
+                interrupted = true;
+                break;
+            }
+            judged => judged?,
+        };
         if !args.quiet {
             let line =
                 format!("{number} of {}: {}: {}", cases.cases.len(), case.name, told(&judged));
@@ -46,12 +54,16 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
         report.judged.extend(judged);
     }
     outputs.write(&report)?;
+    let (table, figures) = (args.output.join(TABLE), report.judged.len());
     match report.wrong() {
+        _ if interrupted => Err(Error::Interrupted(format!(
+            "interrupted: {} shows the {figures} figures that there are; the next run starts anew",
+            table.display()
+        ))),
         0 => Ok(()),
         wrong => Err(Error::Wrong(format!(
-            "{}: {wrong} of {} figures are wrong; look at those that say so",
-            args.output.join(TABLE).display(),
-            report.judged.len()
+            "{}: {wrong} of {figures} figures are wrong; look at those that say so",
+            table.display(),
         ))),
     }
 }

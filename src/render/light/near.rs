@@ -72,7 +72,7 @@ mod tests {
     use crate::render::Lights;
     use crate::scene::Scene;
 
-    /// A lamp of 2 × 2 with a floor of the same size at this height before or behind it.
+    /// A lamp of 2 × 2 with a small ball at this height before or behind it.
     fn plate(height: f64, two_sided: bool) -> bool {
         let text = format!(
             "[camera]\nposition = [9, 9, 9]\ntarget = [0, 0, 0]\nfov = 40\nsize = [8, 8]\n\

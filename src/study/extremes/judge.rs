@@ -3,7 +3,7 @@
 use super::Figure;
 use super::cases::{Expect, Like};
 use crate::image::Image;
-use crate::metrics::Comparison;
+use crate::metrics::{Comparison, largest};
 
 /// Pixels along a tile.
 const TILE: u32 = 16;
@@ -95,7 +95,9 @@ impl Seen<'_> {
             let tile = Seen { region: Some([left, top, right, bottom]), ..*self };
             tile.worst("worst tile", expected, within, |values, _| mean(values))
         });
-        let worse = |a: Figure, b: Figure| if b.error > a.error { b } else { a };
+        // What is no number is worse than all.
+        let worse =
+            |a: Figure, b: Figure| if a.error.is_nan() || a.error > b.error { a } else { b };
         tiles
             .reduce(worse)
             .unwrap_or_else(|| self.figure("worst tile", expected[0], f64::NAN, within))
@@ -130,7 +132,8 @@ impl Seen<'_> {
         limits.map(|(what, within)| measure(what, within)).collect()
     }
 
-    /// One of the figures of likeness; none if one of the images has no sound pixel.
+    /// One of the figures of likeness; none if one of the images has no sound pixel, or the other is
+    /// black: two renders that both fail would be alike.
     fn likeness(&self, what: &str, other: &Image, within: f64) -> Option<Figure> {
         let others = Seen { image: other, ..*self };
         let sizes = [self.image, other].map(|image| [image.width, image.height]);
@@ -139,21 +142,22 @@ impl Seen<'_> {
         }
         let means = [0, 1, 2].map(|channel| mean(others.values(channel)));
         let brightness = means.iter().sum::<f64>() / 3.0;
+        if brightness <= 0.0 {
+            return None;
+        }
         Some(match what {
             "mean" => self.mean("mean, that of the other", means, within),
             "ꟻLIP" => {
                 let keep = vec![true; other.pixels.len()];
                 // Middle grey, so that dark and bright scenes are looked at alike.
-                let exposure = if brightness > 0.0 { (0.2 / brightness).log2() } else { 0.0 };
+                let exposure = (0.2 / brightness).log2();
                 let found = Comparison::of(other, self.image, &keep, exposure as f32)?;
                 self.figure("ꟻLIP to the other", 0.0, found.flip, within)
             }
             _ => {
                 let far = |c: usize| self.values(c).zip(others.values(c));
                 let pairs = (0..3).flat_map(far);
-                let most = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                // Two black images are alike.
-                let most = if most == 0.0 { 0.0 } else { most / brightness };
+                let most = largest(pairs.map(|(a, b)| (a - b).abs())) / brightness;
                 self.figure("largest difference over the other's mean", 0.0, most, within)
             }
         })
@@ -246,17 +250,16 @@ mod tests {
 
     #[test]
     fn what_is_not_finite_is_never_right() {
-        let zero = Radiance::Grey(0.0);
+        let one = Radiance::Grey(1.0);
         let like = Like { flip: Some(1e9), mean: Some(1e9), pixel: Some(1e9), ..Like::default() };
-        let good = image([[0.0; 3]; 4]);
+        let good = image([[1.0; 3]; 4]);
         for value in [f32::NAN, f32::INFINITY] {
             let mut bad = good.clone();
             bad.pixels[2][1] = value;
             let kinds = [
-                Expect::Mean(zero),
-                Expect::EveryPixel(zero),
-                Expect::EveryTile(zero),
-                Expect::Black,
+                Expect::Mean(one),
+                Expect::EveryPixel(one),
+                Expect::EveryTile(one),
                 Expect::Finite,
                 Expect::Like(like.clone()),
             ];
@@ -264,6 +267,36 @@ mod tests {
                 assert!(holds(&expect, 1e9, &good, Some(&good)), "{expect:?}");
                 assert!(!holds(&expect, 1e9, &bad, Some(&good)), "{expect:?}");
             }
+        }
+    }
+
+    #[test]
+    fn what_is_not_finite_is_not_black() {
+        for value in [f32::NAN, f32::INFINITY] {
+            let mut bad = image([[0.0; 3]; 4]);
+            bad.pixels[2][1] = value;
+            assert!(!holds(&Expect::Black, 0.0, &bad, None));
+        }
+    }
+
+    #[test]
+    fn a_tile_that_is_not_finite_is_the_worst_wherever_it_is() {
+        for bad in [0, 20] {
+            let mut wide = Image { width: 32, height: 16, pixels: vec![[1.0; 3]; 512] };
+            wide.pixels[bad][0] = f32::NAN;
+            assert!(!holds(&Expect::EveryTile(Radiance::Grey(1.0)), 0.5, &wide, None), "{bad}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_like_a_black_image() {
+        let black = image([[0.0; 3]; 4]);
+        for like in [
+            Like { pixel: Some(1.0), ..Like::default() },
+            Like { mean: Some(1.0), ..Like::default() },
+            Like { flip: Some(1.0), ..Like::default() },
+        ] {
+            assert!(!holds(&Expect::Like(like), 0.0, &black, Some(&black)));
         }
     }
 

@@ -16,7 +16,8 @@ use crate::gpu::{AdapterChoice, Gpu, GpuError};
 use crate::image::Image;
 use crate::render::{self, Prepared};
 
-/// Renders cases. Images that others are compared with are kept, as is the last scene.
+/// Renders cases. Images are kept, as others may be compared with them, but for large ones; so is the
+/// last scene.
 #[derive(Debug)]
 pub struct Runner<'a> {
     cases: &'a Cases,

@@ -11,6 +11,7 @@ use crate::cli;
 use crate::cluster::{Clustering as Clusters, Options, Points, fuzzy, kmeans};
 use crate::error::Error;
 use crate::gpu::Gpu;
+use crate::metrics::largest;
 use crate::render::{Clustering, Merge, Method, Prepared, Settings};
 use crate::study::extremes::{Figure, Scale};
 
@@ -113,7 +114,7 @@ pub fn weights(_: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
                 let each = || nearest.chunks(m as usize).zip(weights.chunks(m as usize));
                 let sum = |weights: &[f32]| weights.iter().map(|w| f64::from(*w)).sum::<f64>();
                 // Four weights rounded to f32.
-                let off = each().map(|(_, w)| (sum(w) - 1.0).abs()).fold(0.0, f64::max);
+                let off = largest(each().map(|(_, w)| (sum(w) - 1.0).abs()));
                 figures.push(at_most(format!("{what}: sum of weights"), off, 2e-7));
                 let wrong = each().filter(|(_, w)| !w.iter().all(|w| (0.0..=1.0).contains(w)));
                 figures.push(none(format!("{what}: weights beyond 0 and 1"), wrong.count()));

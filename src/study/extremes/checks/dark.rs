@@ -6,6 +6,7 @@ use super::measure::{at_most, frame_of, of};
 use super::stage::Stage;
 use crate::error::{Error, SceneError};
 use crate::gpu::Gpu;
+use crate::metrics::largest;
 use crate::render::{Bounces, Method, Prepared, Settings};
 use crate::scene::Scene;
 use crate::study::extremes::{Figure, Scale};
@@ -66,10 +67,11 @@ pub fn rooms(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
             let prepared = Prepared::new(gpu.clone(), scene, &settings(Method::Vpl))?;
             for method in [Method::Vpl, Method::Vplc, Method::Vpc, Method::Both, Method::Path] {
                 let frame = frame_of(&prepared, &settings(method))?;
-                let most = frame.image.pixels.iter().flatten().fold(0.0f32, |a, b| a.max(b.abs()));
+                let values = frame.image.pixels.iter().flatten();
+                let most = largest(values.map(|value| f64::from(value.abs())));
                 let what =
                     format!("{name}, scale {unit:e}, at {:e}: largest pixel", offset.length());
-                figures.push(of(method, at_most(what, f64::from(most), 0.0)));
+                figures.push(of(method, at_most(what, most, 0.0)));
             }
         }
     }

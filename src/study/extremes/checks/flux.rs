@@ -9,6 +9,7 @@ use super::stage::Stage;
 use crate::bvh::Bvh;
 use crate::error::{Error, SceneError};
 use crate::gpu::Gpu;
+use crate::metrics::largest;
 use crate::render::{
     Bounces, Clustering, LightPaths, Lights, Merge, Representative, VirtualLight, Vpl, VplClusters,
 };
@@ -84,7 +85,7 @@ pub fn kept(_: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
         let expected = power * DVec3::from_array(albedo).powf(bounce as f64);
         // Each bounce multiplies a path's flux in f32: a rounding of 6e-8 each, and one for the
         // share of a path.
-        let off = (arrived / expected - DVec3::ONE).abs().max_element();
+        let off = largest((arrived / expected - DVec3::ONE).abs().to_array());
         figures.push(at_most(format!("bounce {}: incident flux", bounce + 1), off, 1e-6));
     }
     let scene = closed_box(albedo, [0.02, 0.9, 1.0])?;
@@ -100,7 +101,8 @@ pub fn kept(_: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
                     Clustering { vpls: clusters, merge, representative, ..Clustering::default() };
                 let merged = VplClusters::of(&lights, &options, 1);
                 // Sums in f64, each rounded once to f32.
-                let off = (sum(&merged.lights) / sum(&lights) - DVec3::ONE).abs().max_element();
+                let off = sum(&merged.lights) / sum(&lights) - DVec3::ONE;
+                let off = largest(off.abs().to_array());
                 let what = format!(
                     "{} VPLs of two albedos in {} clusters, {merge:?}, {representative:?}: exitant flux",
                     lights.len(),

@@ -3,6 +3,7 @@
 use super::super::Figure;
 use crate::error::Error;
 use crate::gpu::Gpu;
+use crate::metrics::largest;
 use crate::render::{self, Frame, Method, Prepared, Settings};
 use crate::scene::Scene;
 
@@ -74,7 +75,7 @@ pub fn frame_seeded(prepared: &Prepared, settings: &Settings, seed: u32) -> Resu
 pub fn difference(one: &Frame, two: &Frame) -> f64 {
     let values = |frame: &Frame| frame.image.pixels.clone().into_iter().flatten().map(f64::from);
     let mean = values(two).map(f64::abs).sum::<f64>() / values(two).count() as f64;
-    let most = values(one).zip(values(two)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let most = largest(values(one).zip(values(two)).map(|(a, b)| (a - b).abs()));
     // Of two black images there is nothing to compare.
     if mean > 0.0 { most / mean } else { f64::NAN }
 }

@@ -28,10 +28,10 @@ pub fn bytes(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
         },
         ..Settings::of(method)
     };
-    let prepare = |method| -> Result<Prepared, Error> {
-        Ok(Prepared::new(gpu.clone(), room(1.0, size)?.scene()?, &settings(method))?)
+    let prepare = |settings: &Settings| -> Result<Prepared, Error> {
+        Ok(Prepared::new(gpu.clone(), room(1.0, size)?.scene()?, settings)?)
     };
-    let prepared = prepare(Method::Both)?;
+    let prepared = prepare(&settings(Method::Both))?;
     let pools = [1, 3].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.map_err(|error| Error::Usage(format!("{threads} threads: {error}")))
@@ -39,14 +39,19 @@ pub fn bytes(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
     let [one, three] = pools;
     let pools = [(1, one?), (3, three?)];
     let mut figures = Vec::new();
-    for method in Method::ALL {
-        let settings = settings(method);
+    let compensated = Settings { compensate: true, ..settings(Method::Both) };
+    let all = Method::ALL.map(|method| ("", settings(method)));
+    for (name, settings) in all.into_iter().chain([("compensated, ", compensated)]) {
+        let method = settings.method;
         let first = frame_of(&prepared, &settings)?;
         let again = frame_of(&prepared, &settings)?;
-        figures.push(of(method, none("again: pixels with other bits", unlike(&first, &again))));
+        figures.push(of(
+            method,
+            none(format!("{name}again: pixels with other bits"), unlike(&first, &again)),
+        ));
         for (threads, pool) in &pools {
-            let other = pool.install(|| frame_of(&prepare(method)?, &settings))?;
-            let what = format!("prepared anew, {threads} threads: pixels with other bits");
+            let other = pool.install(|| frame_of(&prepare(&settings)?, &settings))?;
+            let what = format!("{name}prepared anew, {threads} threads: pixels with other bits");
             figures.push(of(method, none(what, unlike(&first, &other))));
         }
     }

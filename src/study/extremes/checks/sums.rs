@@ -10,6 +10,7 @@ use super::random::Rng;
 use super::stage::Stage;
 use crate::error::Error;
 use crate::gpu::{Gpu, PointRecord, VplRecord};
+use crate::metrics::largest;
 use crate::render::{
     Bounces, Clamp, Clustering, Direct, Method, Prepared, Settings, Vpl, chunk_words, light_paths,
 };
@@ -68,10 +69,10 @@ pub fn in_a_sphere(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
                 let distance = Vec3::from(x.position).distance(Vec3::from(s.position)) / radius;
                 let off = |expected: f64| (f64::from(e[0]) / expected - 1.0).abs();
                 if distance > 0.1 {
-                    far = far.max(off(closed));
+                    far = largest([far, off(closed)]);
                 }
                 if distance > 0.01 {
-                    near = near.max(off(f64::from(s.intensity[0]) * geometry(x, s)));
+                    near = largest([near, off(f64::from(s.intensity[0]) * geometry(x, s))]);
                 }
             }
             let what = format!("{kernel} kernel, R = {radius}, {count} pairs");
@@ -195,7 +196,7 @@ fn equal_terms(kernel: &str, gpu: &Gpu, count: usize) -> Result<Vec<Figure>, Err
     for (sum, x) in sums.iter().zip(&points) {
         for (got, intensity) in sum.iter().zip(light.intensity) {
             let term = f64::from(intensity) * geometry(x, &light);
-            off = off.max((f64::from(*got) / (term * terms as f64) - 1.0).abs());
+            off = largest([off, (f64::from(*got) / (term * terms as f64) - 1.0).abs()]);
         }
     }
     let what = format!("{terms} equal terms, {kernel} kernel, {POINTS} points");
