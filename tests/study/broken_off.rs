@@ -1,6 +1,7 @@
 //! Studies that are broken off, and references that are not what they should be.
 
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
@@ -108,6 +109,23 @@ fn ctrl_c_writes_what_is_done() {
     let (code, stderr) = run(place.path(), &options);
     assert_eq!(code, Some(0), "{stderr}");
     assert_eq!(json(&out)["finished"], json(&out)["planned"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_writes_the_extremes_that_there_are() {
+    let place = tempfile::tempdir().unwrap();
+    let options = "--preset extremes -o out";
+    let mut child = command(place.path(), options).stderr(Stdio::piped()).spawn().unwrap();
+    let mut told = BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok);
+    assert!(told.any(|line| line.starts_with("1 of ")), "no case was run");
+    let pid = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
+    let last = told.last().unwrap();
+    assert!(last.starts_with("error: interrupted: "), "{last}");
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{last}");
+    let table = fs::read_to_string(place.path().join("out/extremes.md")).unwrap();
+    assert!(table.contains("\nInterrupted: ") && table.contains("| point light over a plane |"));
 }
 
 fn write(file: &Path, image: &Image) {

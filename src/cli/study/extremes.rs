@@ -33,15 +33,19 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
     let cases = Cases::parse(CASES).map_err(|what| Error::Usage(format!("study: {what}")))?;
     let adapter = adapter_choice(args.adapter.as_deref());
     let info = Gpu::open(&adapter)?.info;
-    let mut report =
-        Report { cases: &cases, command: command(), adapter: Some(info), judged: Vec::new() };
+    let mut report = Report {
+        cases: &cases,
+        command: command(),
+        adapter: Some(info),
+        judged: Vec::new(),
+        broken_off: None,
+    };
     let mut runner =
         Runner::new(&cases, Scale::Full, front(), adapter).interrupted_by(interrupt()?);
-    let mut interrupted = false;
     for (number, case) in (1..).zip(&cases.cases) {
         let judged = match runner.run(case) {
             Err(Error::Gpu(GpuError::Interrupted)) => {
-                interrupted = true;
+                report.broken_off = Some(number - 1);
                 break;
             }
             judged => judged?,
@@ -56,7 +60,7 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
     outputs.write(&report)?;
     let (table, figures) = (args.output.join(TABLE), report.judged.len());
     match report.wrong() {
-        _ if interrupted => Err(Error::Interrupted(format!(
+        _ if report.broken_off.is_some() => Err(Error::Interrupted(format!(
             "interrupted: {} shows the {figures} figures that there are; the next run starts anew",
             table.display()
         ))),

@@ -19,6 +19,8 @@ pub struct Report<'a> {
     pub adapter: Option<AdapterInfo>,
     /// All figures, in the order of the cases.
     pub judged: Vec<Judged>,
+    /// How many cases were run, if not all.
+    pub broken_off: Option<usize>,
 }
 
 impl Report<'_> {
@@ -61,6 +63,9 @@ pub fn markdown(out: &mut (impl Write + ?Sized), report: &Report<'_>) -> io::Res
         report.count(Verdict::Refused),
         report.wrong(),
     )?;
+    if let Some(run) = report.broken_off {
+        writeln!(out, "\nInterrupted: {run} of {} cases were run.", report.cases.cases.len())?;
+    }
     summary(out, report)?;
     for row in &report.cases.rows {
         writeln!(out, "\n## {}\n\n{}. Treatment: {}.\n", row.about, row.wrong, row.treatment)?;
@@ -241,7 +246,13 @@ mod tests {
             reasons: String::new(),
         };
         let judged = vec![judged(1.0, Verdict::Right), judged(f64::NAN, Verdict::Wrong)];
-        let report = Report { cases: &cases, command: "gpu-vpl".to_owned(), adapter: None, judged };
+        let report = Report {
+            cases: &cases,
+            command: "gpu-vpl".to_owned(),
+            adapter: None,
+            judged,
+            broken_off: None,
+        };
         let (mut md, mut lines) = (Vec::new(), Vec::new());
         markdown(&mut md, &report).unwrap();
         csv(&mut lines, &report).unwrap();
