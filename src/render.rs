@@ -236,22 +236,9 @@ pub fn frame(
     let bound = bound(prepared, settings, &vpls);
     let scale = prepared.scene.units.scale;
     counts.clamp = bound.map(|bound| f64::from(bound) / (scale * scale));
-    let mut lights: Vec<_> =
-        vpls.iter().map(|vpl| VirtualLight::of(vpl, &prepared.scene)).collect();
+    let lights: Vec<_> = vpls.iter().map(|vpl| VirtualLight::of(vpl, &prepared.scene)).collect();
     phases.vpls = start.elapsed();
-
-    // Lights that share the visibility of a few.
-    let mut columns = None;
-    if settings.method.clusters_vpls() {
-        let start = Instant::now();
-        let clusters = VplClusters::of(&lights, &settings.clustering, seed);
-        counts.vpl_clusters = Some(clusters.lights.len() as u64);
-        match settings.clustering.merge {
-            Merge::Visibility if settings.method.is_indirect() => columns = Some(clusters),
-            _ => lights = clusters.lights,
-        }
-        phases.cluster_vpls = start.elapsed();
-    }
+    let (lights, columns) = clustered_vpls(lights, settings, seed, &mut phases, &mut counts);
 
     let gathered = if settings.method.is_indirect() { &lights[..] } else { &[] };
     let subsets = if settings.interleaves() { settings.interleave.pow(2) } else { 1 };
@@ -289,6 +276,27 @@ pub fn frame(
     }
     let passes = prepared.gpu.take_pass_times()?;
     Ok(Frame { image, standard_error: None, counts, phases, passes })
+}
+
+/// The lights to gather, and the clusters whose visibility they share, if they share any.
+fn clustered_vpls(
+    lights: Vec<VirtualLight>,
+    settings: &Settings,
+    seed: u32,
+    phases: &mut Phases,
+    counts: &mut Counts,
+) -> (Vec<VirtualLight>, Option<VplClusters>) {
+    if !settings.method.clusters_vpls() {
+        return (lights, None);
+    }
+    let start = Instant::now();
+    let clusters = VplClusters::of(&lights, &settings.clustering, seed);
+    counts.vpl_clusters = Some(clusters.lights.len() as u64);
+    phases.cluster_vpls = start.elapsed();
+    match settings.clustering.merge {
+        Merge::Visibility if settings.method.is_indirect() => (lights, Some(clusters)),
+        _ => (clusters.lights, None),
+    }
 }
 
 /// The VPLs that the settings ask for.

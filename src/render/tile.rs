@@ -95,7 +95,8 @@ impl<'a> TileRenderer<'a> {
             _ => 1.0,
         };
         let weight = unit / self.settings.samples as f32;
-        let (mut reflected, mut removed) = (0.0, 0.0);
+        // Radiance that is reflected, and that the clamp removed.
+        let mut energy = [0.0; 2];
         let buffers = &self.stages.buffers;
         let gpu = &self.prepared.gpu;
         let tiles = self.tiling.tiles().count() as f64;
@@ -104,26 +105,15 @@ impl<'a> TileRenderer<'a> {
                 gpu.clear(&[&buffers.film])?;
                 gpu.clear(&buffers.energy.iter().collect::<Vec<_>>())?;
             }
-            let points = tile.points() as usize;
-            if let Some(clustered) = clustered {
-                let run = tile.of_frame();
-                let subsets = self.interleave.as_ref().map(|interleave| interleave.subsets(tile));
-                gpu.write(&buffers.points, &clustered.records[run.clone()])?;
-                for ((_, buffer), kept) in buffers.kept.iter().zip(&clustered.kept) {
-                    gpu.write(buffer, &kept[run.clone()])?;
+            match clustered {
+                Some(clustered) => self.load(tile, clustered, gathers)?,
+                None => {
+                    phases.visible_points += self.run(
+                        &self.stages.visible,
+                        &self.camera_params(tile),
+                        [tile.blocks, 1],
+                    )?;
                 }
-                if let (Some(interleave), Some(seen)) = (&self.interleave, &clustered.signatures) {
-                    interleave.set_signatures(self.prepared, &seen[run.clone()])?;
-                }
-                for direct in &gathers.direct {
-                    direct.set_clusters(&clustered.clusters, run.clone(), None)?;
-                }
-                if let Some(indirect) = &gathers.indirect {
-                    indirect.set_clusters(&clustered.clusters, run, subsets.as_ref())?;
-                }
-            } else {
-                phases.visible_points +=
-                    self.run(&self.stages.visible, &self.camera_params(tile), [tile.blocks, 1])?;
             }
             self.sample(tile, gathers, phases, counts, &|share, phase| {
                 progress((index as f64 + share) / tiles, phase);
@@ -133,20 +123,16 @@ impl<'a> TileRenderer<'a> {
                 continue;
             }
             let start = Instant::now();
-            let film: Vec<[f32; 4]> = gpu.read(&buffers.film, points)?;
+            let film: Vec<[f32; 4]> = gpu.read(&buffers.film, tile.points() as usize)?;
             counts.visible_points += develop(tile, &film, weight, &mut image);
-            if let Some(energy) = &buffers.energy {
-                for [kept, lost] in &gpu.read::<[f32; 2]>(energy, points)?[tile.own()] {
-                    reflected += f64::from(*kept);
-                    removed += f64::from(*lost);
-                }
-            }
+            self.add_energy(tile, &mut energy)?;
             phases.readback += start.elapsed();
         }
         if let Some(clustered) = clustered {
             let hit = |record: &&PointRecord| record.surface != PointRecord::NOTHING;
             counts.visible_points = clustered.records.iter().filter(hit).count() as u64;
         }
+        let [reflected, removed] = energy;
         if removed > 0.0 {
             // With compensation, whose noise is taken off again, little more than 0 may be below it.
             counts.clamped_fraction = removed / (f64::max(reflected, 0.0) + removed);
@@ -154,6 +140,44 @@ impl<'a> TileRenderer<'a> {
         let finite = |pixel: &&[f32; 3]| !pixel.iter().all(|channel| channel.is_finite());
         counts.nonfinite_pixels = image.pixels.iter().filter(finite).count() as u64;
         Ok(image)
+    }
+
+    /// Loads the visible points of a tile, and the clusters that they belong to.
+    fn load(
+        &self,
+        tile: Tile,
+        clustered: &Clustered,
+        gathers: &Gathers<'_>,
+    ) -> Result<(), GpuError> {
+        let (buffers, gpu) = (&self.stages.buffers, &self.prepared.gpu);
+        let run = tile.of_frame();
+        gpu.write(&buffers.points, &clustered.records[run.clone()])?;
+        for ((_, buffer), kept) in buffers.kept.iter().zip(&clustered.kept) {
+            gpu.write(buffer, &kept[run.clone()])?;
+        }
+        if let (Some(interleave), Some(seen)) = (&self.interleave, &clustered.signatures) {
+            interleave.set_signatures(self.prepared, &seen[run.clone()])?;
+        }
+        for direct in &gathers.direct {
+            direct.set_clusters(&clustered.clusters, run.clone(), None)?;
+        }
+        if let Some(indirect) = &gathers.indirect {
+            let subsets = self.interleave.as_ref().map(|interleave| interleave.subsets(tile));
+            indirect.set_clusters(&clustered.clusters, run, subsets.as_ref())?;
+        }
+        Ok(())
+    }
+
+    /// Adds the radiance that a tile reflects, and that the clamp removed, over its pixels.
+    fn add_energy(&self, tile: Tile, sum: &mut [f64; 2]) -> Result<(), GpuError> {
+        let Some(energy) = &self.stages.buffers.energy else { return Ok(()) };
+        let of_points: Vec<[f32; 2]> = self.prepared.gpu.read(energy, tile.points() as usize)?;
+        for of_point in &of_points[tile.own()] {
+            for (sum, value) in sum.iter_mut().zip(of_point) {
+                *sum += f64::from(*value);
+            }
+        }
+        Ok(())
     }
 
     /// One sample of every pixel of a tile, from its visible points on: emission, direct light,
