@@ -1,5 +1,5 @@
 // Irradiance from the order of subsets into rows of pixels, and beside it what tells whether two
-// pixels see the same surface in the same light: position, normal and signature.
+// pixels see the same surface in the same light: position, and in one word normal, lobe and signature.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(7) var<storage, read> irradiance: array<Gathered>;
@@ -17,8 +17,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let index = point_of(pixel, params.width);
     gathered[id.x] = with_given_back(index, irradiance[from_point]);
     let point = points[index];
-    // Three bytes of normal, 0 where nothing is hit, and one of signature.
-    let normal = select(point.normal, vec3f(0.0), point.surface == NOTHING);
-    let packed = pack4x8snorm(vec4f(normal, 0.0)) | (signature_of(index) << 24u);
+    let packed = surface_code(point) | (signature_of(index) << 24u);
     surfaces[id.x] = vec4u(bitcast<vec3u>(point.position), packed);
 }

@@ -15,12 +15,14 @@ struct Surface {
     position: vec3f,
     // 0 where there is none.
     normal: vec3f,
+    code: u32,
     signature: u32,
 }
 
 fn load_surface(at: i32) -> Surface {
     let packed = surfaces[at];
-    return Surface(bitcast<vec3f>(packed.xyz), unpack4x8snorm(packed.w).xyz, packed.w >> 24u);
+    let code = packed.w & 0xffffffu;
+    return Surface(bitcast<vec3f>(packed.xyz), normal_of_code(code), code, packed.w >> 24u);
 }
 
 @compute @workgroup_size(64)
@@ -45,7 +47,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             let is = place + step >= 0 && place + step < extent;
             let other = select(at, at + step * stride, is);
             let seen = load_surface(other);
-            let same = is && one_surface(own.normal, seen.normal, seen.position - own.position);
+            let same = is && of_one_lobe(own.code, seen.code)
+                && one_surface(own.normal, seen.normal, seen.position - own.position);
             let unlike = f32(countOneBits(own.signature ^ seen.signature));
             let weight = select(0.0, f32(s - abs(step)) * pow(UNLIKE, unlike), same);
             tap += gathered[other] * weight;

@@ -162,6 +162,33 @@ fn interleaved_subsets_share_lobes_too() {
     }
 }
 
+/// Stripes of a floor, a few pixels wide, that reflect by a lobe alone, beside others that have none:
+/// what a pixel's neighbours gather by no lobe is of no use to it.
+#[test]
+fn interleaved_subsets_are_shared_by_one_lobe() {
+    let scene = || {
+        let mut build = Build::new();
+        let wall = build.material([0.6, 0.5, 0.4], [0.0; 3], false);
+        let glossy = build.finished([0.0; 3], phong(0.8, 12.0));
+        let black = build.material([0.0; 3], [0.0; 3], false);
+        build.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
+        for (at, material) in (0..16).zip([glossy, black].into_iter().cycle()) {
+            let [left, right] = [at, at + 1].map(|edge| -1.0 + f64::from(edge) / 8.0);
+            let corner = |x, y| dvec3(x, y, -0.9);
+            let stripe =
+                [corner(left, -1.0), corner(right, -1.0), corner(right, 1.0), corner(left, 1.0)];
+            build.polygon(material, &stripe);
+        }
+        build.point_light(dvec3(0.2, 0.3, 0.5), [1.0; 3]);
+        build.camera(dvec3(0.0, -0.9, 0.9), dvec3(0.0, 0.6, -1.0), 40.0, [48, 48]);
+        build
+    };
+    let few = Settings { light_paths: 4000, direct: Direct::Off, ..Settings::of(Method::Both) };
+    let all = Settings { interleave: 1, ..few };
+    let [one, other] = [few, all].map(|s| mean(&scene().render(&s).image.pixels)[1]);
+    assert!((one / other - 1.0).abs() < 0.02, "{one} for {other}");
+}
+
 /// The light of a lamp that a mirror throws at a wall comes as VPLs on that wall.
 #[test]
 fn light_paths_go_on_at_mirrors() {

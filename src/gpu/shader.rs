@@ -143,6 +143,8 @@ pub mod module {
         SIGNATURE_PROBED = "signature_probed" for "probes of visibility";
         GIVEN_NONE = "given_none";
         GIVEN_BACK = "given_back" for "bias compensation";
+        SURFACE_PLAIN = "surface_plain";
+        SURFACE_LOBED = "surface_lobed" for "phong";
         COLLECT = "collect" for "interleaved sampling";
         COMBINE = "combine" for "interleaved sampling";
         SEEN_HARD = "seen_hard";
