@@ -8,18 +8,6 @@ const NO_LOBE = 1u;
 const WIDEST_LOBE = 2u;
 const NARROWEST_LOBE = 15u;
 
-fn surface_code(point: Point) -> u32 {
-    if point.surface == NOTHING { return NO_SURFACE; }
-    let finish = finish_of(point);
-    let octave = WIDEST_LOBE + u32(log2(1.0 + finish.parameter));
-    let lobe = select(NO_LOBE, min(octave, NARROWEST_LOBE), finish.kind == PHONG);
-    let n = point.normal;
-    let flat = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
-    let place = select(flat, folded(flat), n.z < 0.0);
-    let steps = vec2u(round(511.5 * (place + 1.0)));
-    return lobe | (steps.x << 4u) | (steps.y << 14u);
-}
-
 // The lower half of the octahedron lies in the corners of the square of the upper one.
 fn folded(place: vec2f) -> vec2f {
     return (1.0 - abs(place.yx)) * select(vec2f(-1.0), vec2f(1.0), place >= vec2f(0.0));

@@ -145,6 +145,7 @@ pub mod module {
         GIVEN_BACK = "given_back" for "bias compensation";
         SURFACE_PLAIN = "surface_plain";
         SURFACE_LOBED = "surface_lobed" for "phong";
+        SURFACE_LOBE_CODE = "surface_lobe_code" for "phong";
         COLLECT = "collect" for "interleaved sampling";
         COMBINE = "combine" for "interleaved sampling";
         SEEN_HARD = "seen_hard";

@@ -7,8 +7,8 @@ use crate::gpu::module::{
     GATHERED_DIFFUSE, GATHERED_PHONG, GIVEN_BACK, GIVEN_NONE, INTERLEAVED, LOBES_DIFFUSE,
     LOBES_PHONG, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PHONG,
     PIXELS, RAY, REFLECT, REMOVED, ROW_CLUSTER, ROW_POINT, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE,
-    SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE, SIGNATURE_PROBED, SURFACE_LOBED,
-    SURFACE_PLAIN, TYPES, VIEW_KEPT, VPL_DIFFUSE, VPL_GLOSSY,
+    SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE, SIGNATURE_PROBED, SURFACE_LOBE_CODE,
+    SURFACE_LOBED, SURFACE_PLAIN, TYPES, VIEW_KEPT, VPL_DIFFUSE, VPL_GLOSSY,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{LightKind, Plan, Target};
@@ -107,25 +107,31 @@ pub fn collect(target: Target, probed: bool, compensated: bool) -> Program {
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
     let given = if compensated { &GIVEN_BACK } else { &GIVEN_NONE };
     let mut modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, signature, given];
-    modules.extend(surface(target));
+    modules.push(surface(target));
+    if target.features.phong {
+        modules.extend([&FINISH, &SURFACE_LOBE_CODE]);
+    }
     modules.push(&COLLECT);
     Program::new("collection", modules)
 }
 
 /// Interleaved sampling: what the pixels around have gathered.
 pub fn combine(target: Target) -> Program {
-    let mut modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, &ONE_SURFACE];
-    modules.extend(surface(target));
-    modules.push(&COMBINE);
+    let modules = vec![
+        &TYPES,
+        gathered(target),
+        &PIXELS,
+        &INTERLEAVED,
+        &ONE_SURFACE,
+        surface(target),
+        &COMBINE,
+    ];
     Program::new("combination", modules)
 }
 
 /// What tells the surfaces of pixels apart.
-fn surface(target: Target) -> Vec<&'static Module> {
-    match target.features.phong {
-        true => vec![&FINISH, &SURFACE_LOBED],
-        false => vec![&SURFACE_PLAIN],
-    }
+fn surface(target: Target) -> &'static Module {
+    if target.features.phong { &SURFACE_LOBED } else { &SURFACE_PLAIN }
 }
 
 /// Whose row of the bit matrix a point reads.
