@@ -19,14 +19,14 @@ struct AreaLight {
 struct Place {
     // Of the corners.
     weights: vec3f,
-    // With which it was drawn, by area.
-    density: f32,
+    // In which it was drawn uniformly; 0 if it was on the area of the light.
+    solid_angle: f32,
 }
 
 // Uniform on the light. The square root makes the density uniform and keeps strata whole.
 fn uniform_place(light: AreaLight, u: vec2f) -> Place {
     let root = sqrt(u.x);
-    return Place(vec3f(1.0 - root, root * (1.0 - u.y), root * u.y), 1.0 / light.area);
+    return Place(vec3f(1.0 - root, root * (1.0 - u.y), root * u.y), 0.0);
 }
 
 // A place on the lights.
@@ -44,6 +44,10 @@ fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> Light
     let facing = -dot(to_light, light.normal);
     let emitted = select(facing, abs(facing), light.two_sided != 0u);
     let geometry = cosine * emitted / (square * square);
+    // By area. From the same numbers as the geometry term, so that the weight of a place that is
+    // seen edge-on, both of which are rounding there, is bounded by the solid angle.
+    let by_angle = abs(facing) / max(square * sqrt(square) * place.solid_angle, 1e-37);
+    let density = select(1.0 / light.area, max(by_angle, 1e-37), place.solid_angle > 0.0);
     // As far before the light as it starts before the point.
     let end = on_light + light.normal * (sign(facing) * offset);
     return LightSample(
@@ -52,6 +56,6 @@ fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> Light
         cosine > 0.0 && emitted > 0.0,
         light.radiance * light_glow(index, place.weights),
         geometry,
-        light.probability * place.density,
+        light.probability * density,
     );
 }

@@ -43,11 +43,7 @@ fn draw_place(point: Point, light: AreaLight, u: vec2f) -> Place {
     let second = -dot(direction, cross(way, light.edge1)) / dot(light.edge1, h);
     let y = clamp(first, 0.0, 1.0);
     let z = clamp(second, 0.0, 1.0 - y);
-    let to_light = way + light.edge1 * y + light.edge2 * z;
-    let distance = length(to_light);
-    let facing = abs(dot(to_light, light.normal));
-    let density = facing / (distance * distance * distance * solid_angle);
-    return Place(vec3f(1.0 - y - z, y, z), max(density, 1e-30));
+    return Place(vec3f(1.0 - y - z, y, z), solid_angle);
 }
 
 // Of a triangle by the way to its first corner and two edges: van Oosterom and Strackee, "The Solid

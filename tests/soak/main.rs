@@ -138,6 +138,17 @@ fn random_scenes_render() {
     }
 }
 
+/// What a long run has found, and was mended: a lamp that is seen edge-on from a point near its plane
+/// weighed as the rounding of two cosines over one another.
+#[test]
+fn a_scene_that_was_not_finite_is() {
+    let watchdog = Watchdog::start();
+    let (mut tally, mut devices) = (Tally::default(), Devices::default());
+    render_scene(24_583, &mut devices, &mut tally, &watchdog);
+    watchdog.done();
+    assert_eq!(tally.refused, 0, "what is refused shows nothing");
+}
+
 fn render_scene(number: u64, devices: &mut Devices, tally: &mut Tally, watchdog: &Watchdog) {
     let mut rng = Rng(number);
     watchdog.now(format!("scene {number} is made"));
