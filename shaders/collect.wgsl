@@ -1,5 +1,6 @@
 // Irradiance from the order of subsets into rows of pixels, and beside it what tells whether two
-// pixels see the same surface in the same light: position, and in one word normal, lobe and signature.
+// pixels see the same surface in the same light: position, and in one word normal, lobe and
+// signature.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(7) var<storage, read> irradiance: array<Gathered>;

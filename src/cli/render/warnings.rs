@@ -75,7 +75,7 @@ pub fn caustics(scene: &Scene, settings: &Settings) -> Option<Warning> {
         };
         return Some(Warning::note(format!("{name}: {what} {method}; {path}{lost}")));
     }
-    (settings.method == Method::Path && points > 0).then(|| {
+    (settings.method == Method::Path && scene.has_hidden_caustics()).then(|| {
         let what = "light of point, spot and directional lights that reaches a surface only \
                     through mirror or glass (a caustic) cannot be found by paths from the camera; \
                     give the lights extent";
