@@ -16,14 +16,7 @@ fn reflected(point: Point, albedo: vec3f, gathered: Gathered) -> vec3f {
     return gathered.rgb * albedo / PI;
 }
 
-// Means of the radiance that is reflected, and of that which the clamp removed: it would be
-// reflected as the light that is kept, whose noise may be below 0 where some is given back.
+// Means of the radiance that is reflected, and of that which the clamp removed.
 fn kept_and_removed(point: Point, albedo: vec3f, gathered: Gathered) -> vec2f {
-    let mean = (gathered.r + gathered.g + gathered.b) / 3.0;
-    let kept = dot(gathered.rgb, albedo) / (3.0 * PI);
-    let plain = (albedo.r + albedo.g + albedo.b) / (3.0 * PI);
-    let least = min(albedo.r, min(albedo.g, albedo.b)) / PI;
-    let most = max(albedo.r, max(albedo.g, albedo.b)) / PI;
-    let share = select(plain, clamp(kept / mean, least, most), mean > 0.0);
-    return vec2f(kept, gathered.w * share);
+    return lobe_energy(albedo, gathered);
 }

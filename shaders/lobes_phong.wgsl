@@ -33,19 +33,7 @@ fn reflected(point: Point, albedo: vec3f, gathered: Gathered) -> vec3f {
     return (gathered[0].rgb * albedo + gathered[1].rgb * specular_of(point)) / PI;
 }
 
-// Means of the radiance that is reflected, and of that which the clamp removed: it would be
-// reflected as the light that is kept, whose noise may be below 0 where some is given back.
+// Means of the radiance that is reflected, and of that which the clamp removed.
 fn kept_and_removed(point: Point, albedo: vec3f, gathered: Gathered) -> vec2f {
-    return part_kept_and_removed(albedo, gathered[0])
-        + part_kept_and_removed(specular_of(point), gathered[1]);
-}
-
-fn part_kept_and_removed(reflectance: vec3f, gathered: vec4f) -> vec2f {
-    let mean = (gathered.r + gathered.g + gathered.b) / 3.0;
-    let kept = dot(gathered.rgb, reflectance) / (3.0 * PI);
-    let plain = (reflectance.r + reflectance.g + reflectance.b) / (3.0 * PI);
-    let least = min(reflectance.r, min(reflectance.g, reflectance.b)) / PI;
-    let most = max(reflectance.r, max(reflectance.g, reflectance.b)) / PI;
-    let share = select(plain, clamp(kept / mean, least, most), mean > 0.0);
-    return vec2f(kept, gathered.w * share);
+    return lobe_energy(albedo, gathered[0]) + lobe_energy(specular_of(point), gathered[1]);
 }

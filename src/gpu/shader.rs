@@ -67,6 +67,7 @@ pub mod module {
         KEEP_GLOW = "keep_glow" for "emission textures";
         LIGHT_PLAIN = "light_plain";
         LIGHT_TEXTURED = "light_textured" for "emission textures";
+        LOBE_ENERGY = "lobe_energy";
         LOBES_DIFFUSE = "lobes_diffuse";
         LOBES_PHONG = "lobes_phong" for "phong";
         SCATTER_DIFFUSE = "scatter_diffuse";

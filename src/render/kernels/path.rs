@@ -3,8 +3,8 @@
 use super::{Plan, camera_rays, follow, has_kind, kept, lights_of, sky, surfaces, view};
 use crate::gpu::module::{
     BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
-    FINISH, GATHERED_PHONG, HEMISPHERE, LOBES_PHONG, MIS, NO_ROULETTE, PATH, PATH_BACK,
-    PATH_BACKGROUND, PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT,
+    FINISH, GATHERED_PHONG, HEMISPHERE, LOBE_ENERGY, LOBES_PHONG, MIS, NO_ROULETTE, PATH,
+    PATH_BACK, PATH_BACKGROUND, PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT,
     PATH_EMISSION, PATH_EMISSION_ANY, PATH_EXACT, PATH_FOLLOW, PATH_FOUND, PATH_LIGHT,
     PATH_NO_BACKGROUND, PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE,
     PATH_SUM, PHONG, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, SPHERE_CONE,
@@ -30,7 +30,15 @@ pub(super) fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static M
 /// How surfaces scatter light.
 fn scatter(target: Target) -> Vec<&'static Module> {
     match target.features.phong {
-        true => vec![&GATHERED_PHONG, &VIEW_KEPT, &FINISH, &PHONG, &LOBES_PHONG, &SCATTER_PHONG],
+        true => vec![
+            &GATHERED_PHONG,
+            &VIEW_KEPT,
+            &FINISH,
+            &PHONG,
+            &LOBE_ENERGY,
+            &LOBES_PHONG,
+            &SCATTER_PHONG,
+        ],
         false => vec![&VIEW_NONE, &SCATTER_DIFFUSE],
     }
 }
