@@ -11,8 +11,8 @@ use bytemuck::{Pod, Zeroable};
 use common::{Rng, open_gpu};
 use glam::Vec3;
 use gpu_vpl::gpu::module::{
-    FINISH, GATHERED_PHONG, GLASS, HEMISPHERE, LOBES_PHONG, MIRROR, PHONG, SCATTER_PHONG, TURN,
-    TURN_EITHER, TYPES, VIEW_KEPT,
+    FINISH, GATHERED_PHONG, GLASS, HEMISPHERE, LOBE_ENERGY, LOBES_PHONG, MIRROR, PHONG,
+    SCATTER_PHONG, TURN, TURN_EITHER, TYPES, VIEW_KEPT,
 };
 use gpu_vpl::gpu::{Module, Pass, Program};
 use gpu_vpl::render::scatter::{Carried, Place, finish_record, fresnel, gloss, turn};
@@ -258,6 +258,7 @@ fn the_device_scatters_as_the_host() {
         &VIEW_KEPT,
         &FINISH,
         &PHONG,
+        &LOBE_ENERGY,
         &LOBES_PHONG,
         &SCATTER_PHONG,
         &TURN,
