@@ -28,7 +28,7 @@ pub use measure::Measured;
 pub use plan::{Experiment, Plan, ReferencePlan, Run, Transport, unclustered};
 pub use reference::Reference;
 pub use results::{Results, Row};
-pub use store::Store;
+pub use store::{Store, name_of_program};
 
 use crate::error::Error;
 use crate::gpu::{AdapterChoice, AdapterInfo, Gpu};
@@ -308,8 +308,7 @@ impl Found {
 fn key(adapter: &AdapterInfo, prepared: &Prepared, [width, height]: [u32; 2]) -> String {
     let scene = &prepared.scene;
     let mut hasher = DefaultHasher::new();
-    let program = std::env::current_exe().and_then(std::fs::read).unwrap_or_default();
-    program.hash(&mut hasher);
+    name_of_program().hash(&mut hasher);
     bytemuck::cast_slice::<_, u8>(&prepared.bvh.triangles).hash(&mut hasher);
     let rest = (&scene.materials, &scene.point_lights, &scene.camera, scene.units, adapter);
     format!("{rest:?}").hash(&mut hasher);

@@ -46,7 +46,7 @@ pub struct StudyArgs {
     #[arg(short, long = "output", value_name = "DIR", required = true)]
     output: PathBuf,
 
-    /// Measure anew what DIR holds already, as extremes always does
+    /// Measure anew what DIR holds already
     #[arg(long)]
     fresh: bool,
 

@@ -13,6 +13,8 @@ mod shapes;
 mod stage;
 pub mod table;
 
+use serde::{Deserialize, Serialize};
+
 pub use bake::Bake;
 pub use cases::{CASES, Case, Cases, Expect, Like, Own, Radiance, Row, SceneText};
 pub use runner::{Judged, Runner, Verdict};
@@ -31,10 +33,10 @@ pub enum Scale {
 }
 
 /// A measured figure beside what it must be.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Figure {
     /// The method that it is of; empty where it is of none.
-    pub method: &'static str,
+    pub method: String,
     /// What was measured, in a few words, with its setting.
     pub what: String,
     /// What it must be.

@@ -16,10 +16,10 @@ use crate::image::{Destination, Image, read};
 
 /// A directory of measurements, a line each, and of images in full precision.
 #[derive(Debug)]
-pub struct Store {
+pub struct Store<M = Measured> {
     directory: PathBuf,
     log: File,
-    measured: HashMap<String, Measured>,
+    measured: HashMap<String, M>,
 }
 
 /// A line of the log.
@@ -35,10 +35,10 @@ struct Seal {
     hash: String,
 }
 
-impl Store {
-    const LOG: &'static str = "measured.jsonl";
-    const IMAGES: &'static str = "images";
+const LOG: &str = "measured.jsonl";
+const IMAGES: &str = "images";
 
+impl<M: Serialize + DeserializeOwned> Store<M> {
     /// Opens a directory, made if it is not there; `fresh` forgets what it holds.
     ///
     /// # Errors
@@ -48,15 +48,15 @@ impl Store {
             file: directory.to_owned(),
             why: error.to_string(),
         };
-        let images = directory.join(Self::IMAGES);
-        let log = directory.join(Self::LOG);
+        let log = directory.join(LOG);
         if fresh && log.exists() {
             fs::remove_file(&log).map_err(refuse)?;
+            let images = directory.join(IMAGES);
             if images.exists() {
                 fs::remove_dir_all(&images).map_err(refuse)?;
             }
         }
-        fs::create_dir_all(&images).map_err(refuse)?;
+        fs::create_dir_all(directory).map_err(refuse)?;
         let mut log =
             OpenOptions::new().read(true).append(true).create(true).open(log).map_err(refuse)?;
         let mut text = Vec::new();
@@ -70,7 +70,7 @@ impl Store {
     }
 
     /// What was measured under a key.
-    pub fn get(&self, key: &str) -> Option<&Measured> {
+    pub fn get(&self, key: &str) -> Option<&M> {
         self.measured.get(key)
     }
 
@@ -78,9 +78,9 @@ impl Store {
     ///
     /// # Errors
     /// The disk is full, or gone.
-    pub fn put(&mut self, key: &str, measured: Measured) -> Result<(), OutputError> {
+    pub fn put(&mut self, key: &str, measured: M) -> Result<(), OutputError> {
         let refuse = |error: io::Error| OutputError::Write {
-            file: self.directory.join(Self::LOG),
+            file: self.directory.join(LOG),
             why: error.to_string(),
         };
         let mut line = serde_json::to_vec(&Line { key, measured: &measured })
@@ -108,6 +108,11 @@ impl Store {
     /// # Errors
     /// The disk is full, or gone.
     pub fn put_image(&self, name: &str, image: &Image) -> Result<(), OutputError> {
+        let directory = self.directory.join(IMAGES);
+        fs::create_dir_all(&directory).map_err(|error| OutputError::Write {
+            file: directory.clone(),
+            why: error.kind().to_string(),
+        })?;
         let planes = [Plane { layer: "", channels: "RGB", image }];
         let file = Destination::check(&self.file(name, "exr"))?
             .stage(|out| exr::write(out, &planes, &Vec::new()))?;
@@ -126,19 +131,21 @@ impl Store {
     }
 
     fn file(&self, name: &str, ending: &str) -> PathBuf {
-        self.directory.join(Self::IMAGES).join(format!("{name}.{ending}"))
+        self.directory.join(IMAGES).join(format!("{name}.{ending}"))
     }
 }
 
-impl Drop for Store {
+impl<M> Drop for Store<M> {
     /// A store in which nothing was ever kept leaves nothing behind.
     fn drop(&mut self) {
-        let log = self.directory.join(Self::LOG);
+        let log = self.directory.join(LOG);
         if fs::metadata(&log).is_ok_and(|log| log.len() == 0) {
-            // What cannot be removed, directories that hold files first of all, stays.
-            let _ = fs::remove_dir(self.directory.join(Self::IMAGES))
-                .and_then(|()| fs::remove_file(log))
-                .and_then(|()| fs::remove_dir(&self.directory));
+            // What cannot be removed, a directory that holds images first of all, stays.
+            let images = self.directory.join(IMAGES);
+            let _ = fs::remove_dir(&images);
+            if !images.exists() {
+                let _ = fs::remove_file(log).and_then(|()| fs::remove_dir(&self.directory));
+            }
         }
     }
 }
@@ -154,6 +161,11 @@ pub fn name_of(key: &impl Hash) -> String {
     let mut hasher = DefaultHasher::new();
     key.hash(&mut hasher);
     format!("{:016x}", hasher.finish())
+}
+
+/// A name for this build of the program, as figures depend on all of it.
+pub fn name_of_program() -> String {
+    name_of(&std::env::current_exe().and_then(fs::read).unwrap_or_default())
 }
 
 /// A name for the bits of an image.
@@ -174,32 +186,32 @@ mod tests {
             times: FrameTimes { seconds: 0.1 + 0.2, ..FrameTimes::default() },
             ..Measured::default()
         };
-        let mut store = Store::open(place.path(), false).unwrap();
+        let mut store: Store = Store::open(place.path(), false).unwrap();
         store.put("a", measured.clone()).unwrap();
         store.put("b", Measured::default()).unwrap();
-        let log = place.path().join(Store::LOG);
+        let log = place.path().join(LOG);
         let text = fs::read(&log).unwrap();
         fs::write(&log, &text[..text.len() - 9]).unwrap();
-        let mut store = Store::open(place.path(), false).unwrap();
+        let mut store: Store = Store::open(place.path(), false).unwrap();
         assert_eq!((store.get("a"), store.get("b")), (Some(&measured), None));
         store.put("c", measured.clone()).unwrap();
         let store = Store::open(place.path(), false).unwrap();
         assert_eq!((store.get("a"), store.get("c")), (Some(&measured), Some(&measured)));
-        assert_eq!(Store::open(place.path(), true).unwrap().get("a"), None);
+        assert_eq!(Store::<Measured>::open(place.path(), true).unwrap().get("a"), None);
         let nothing = place.path().join("nothing");
-        drop(Store::open(&nothing, false).unwrap());
+        drop(Store::<Measured>::open(&nothing, false).unwrap());
         assert!(!nothing.exists());
     }
 
     #[test]
     fn an_image_that_was_changed_is_noticed() {
         let place = tempfile::tempdir().unwrap();
-        let store = Store::open(place.path(), false).unwrap();
+        let store: Store = Store::open(place.path(), false).unwrap();
         let mut image = Image { width: 2, height: 1, pixels: vec![[0.1, 1e-8, 3e5], [0.0; 3]] };
         store.put_image("x", &image).unwrap();
         assert_eq!(store.image("x").as_ref(), Some(&image));
         image.pixels[0][0] *= 1.01;
-        let other = Store::open(&place.path().join("other"), false).unwrap();
+        let other: Store = Store::open(&place.path().join("other"), false).unwrap();
         other.put_image("x", &image).unwrap();
         fs::copy(other.file("x", "exr"), store.file("x", "exr")).unwrap();
         assert_eq!(store.image("x"), None);

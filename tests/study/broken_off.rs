@@ -113,19 +113,28 @@ fn ctrl_c_writes_what_is_done() {
 
 #[cfg(unix)]
 #[test]
-fn ctrl_c_writes_the_extremes_that_there_are() {
+fn broken_off_extremes_are_written_and_go_on() {
     let place = tempfile::tempdir().unwrap();
-    let options = "--preset extremes -o out";
-    let mut child = command(place.path(), options).stderr(Stdio::piped()).spawn().unwrap();
-    let mut told = BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok);
-    assert!(told.any(|line| line.starts_with("1 of ")), "no case was run");
-    let pid = child.id().to_string();
-    assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
-    let last = told.last().unwrap();
-    assert!(last.starts_with("error: interrupted: "), "{last}");
-    assert_eq!(child.wait().unwrap().code(), Some(130), "{last}");
-    let table = fs::read_to_string(place.path().join("out/extremes.md")).unwrap();
-    assert!(table.contains("\nInterrupted: ") && table.contains("| point light over a plane |"));
+    // Breaks it off after its first case, of which it gives what is said.
+    let first_case = |options: &str| {
+        let options = format!("--preset extremes -o out {options}");
+        let mut child = command(place.path(), &options).stderr(Stdio::piped()).spawn().unwrap();
+        let mut told = BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok);
+        let first = told.find(|line| line.starts_with("1 of ")).expect("no case was run");
+        let pid = child.id().to_string();
+        assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
+        let last = told.last().unwrap();
+        assert!(last.starts_with("error: interrupted: "), "{last}");
+        assert_eq!(child.wait().unwrap().code(), Some(130), "{last}");
+        let table = fs::read_to_string(place.path().join("out/extremes.md")).unwrap();
+        assert!(table.contains("\nInterrupted: "), "{table}");
+        let figure = "| point light over a plane |";
+        (first, table.lines().find(|line| line.starts_with(figure)).unwrap().to_owned())
+    };
+    let (measured, figure) = first_case("");
+    assert!(!measured.contains("(kept)"), "{measured}");
+    assert_eq!(first_case(""), (format!("{measured} (kept)"), figure.clone()));
+    assert_eq!(first_case("--fresh"), (measured, figure));
 }
 
 fn write(file: &Path, image: &Image) {

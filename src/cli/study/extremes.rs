@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::gpu::{Gpu, GpuError};
 use crate::study::extremes::table::Report;
 use crate::study::extremes::{Asked, CASES, Cases, Front, Judged, Runner, Scale, Verdict};
+use crate::study::{Store, name_of_program};
 
 /// How the program's command line reads the options of cases, and what it warns of.
 pub fn front() -> Front {
@@ -20,8 +21,8 @@ pub fn front() -> Front {
     }
 }
 
-/// Runs all cases and writes the tables, anew each time: they say whether this program is right, on
-/// this device. Interrupted, it writes those of the cases that it has come to.
+/// Runs all cases, but for those that this build found right on this device before, and writes the
+/// tables. Interrupted, it writes those of the cases that it has come to.
 ///
 /// # Errors
 /// Usage is refused, an output cannot be written, there is no device, the user interrupts; or,
@@ -33,6 +34,8 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
     let cases = Cases::parse(CASES).map_err(|what| Error::Usage(format!("study: {what}")))?;
     let adapter = adapter_choice(args.adapter.as_deref());
     let info = Gpu::open(&adapter)?.info;
+    let mut store: Store<Vec<Judged>> = Store::open(&outputs.store(), args.fresh)?;
+    let build = format!("{} {info:?}", name_of_program());
     let mut report = Report {
         cases: &cases,
         command: command(),
@@ -43,7 +46,10 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
     let mut runner =
         Runner::new(&cases, Scale::Full, front(), adapter).interrupted_by(interrupt()?);
     for (number, case) in (1..).zip(&cases.cases) {
-        let judged = match runner.run(case) {
+        let key = format!("{build} {}", case.name);
+        let kept = store.get(&key).cloned();
+        let how = if kept.is_some() { " (kept)" } else { "" };
+        let judged = match kept.map_or_else(|| runner.run(case), Ok) {
             Err(Error::Gpu(GpuError::Interrupted)) => {
                 report.broken_off = Some(number - 1);
                 break;
@@ -51,9 +57,13 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
             judged => judged?,
         };
         if !args.quiet {
-            let line =
-                format!("{number} of {}: {}: {}", cases.cases.len(), case.name, told(&judged));
+            let (of, name) = (cases.cases.len(), &case.name);
+            let line = format!("{number} of {of}: {name}: {}{how}", told(&judged));
             console::say(&console::one_line(&line));
+        }
+        // What is wrong is looked at again.
+        if how.is_empty() && judged.iter().all(|judged| judged.verdict != Verdict::Wrong) {
+            store.put(&key, judged.clone())?;
         }
         report.judged.extend(judged);
     }
@@ -61,7 +71,7 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
     let (table, figures) = (args.output.join(TABLE), report.judged.len());
     match report.wrong() {
         _ if report.broken_off.is_some() => Err(Error::Interrupted(format!(
-            "interrupted: {} shows the {figures} figures that there are; the next run starts anew",
+            "interrupted: {} shows the {figures} figures that there are; the same command goes on",
             table.display()
         ))),
         0 => Ok(()),

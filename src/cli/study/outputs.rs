@@ -101,8 +101,7 @@ impl Outputs {
 /// The files of the extremes.
 #[derive(Debug)]
 pub struct Tables {
-    /// Removed if nothing comes of it.
-    _directory: Directory,
+    directory: Directory,
     md: Destination,
     csv: Destination,
     json: Destination,
@@ -117,11 +116,16 @@ impl Tables {
         let made = Directory::make(directory)?;
         let file = |name: &str| Destination::check(&directory.join(name));
         Ok(Self {
-            _directory: made,
+            directory: made,
             md: file(TABLE)?,
             csv: file("extremes.csv")?,
             json: file("extremes.json")?,
         })
+    }
+
+    /// Where figures are kept.
+    pub fn store(&self) -> PathBuf {
+        store_in(&self.directory.name)
     }
 
     /// Writes all files, or none.

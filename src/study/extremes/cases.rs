@@ -1,6 +1,6 @@
 //! Rows and cases as data.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use serde::Deserialize;
 use toml::{Table, Value};
@@ -214,7 +214,11 @@ impl Cases {
                 cases.push(case(&table, member).map_err(fault)?);
             }
         }
-        Ok(Self { rows: file.row, scenes: file.scenes, cases })
+        let mut names = HashSet::new();
+        match cases.iter().find(|case| !names.insert(&case.name)) {
+            Some(Case { name, .. }) => Err(format!("{name}: two cases have this name")),
+            None => Ok(Self { rows: file.row, scenes: file.scenes, cases }),
+        }
     }
 }
 

@@ -39,7 +39,7 @@ pub fn judge(expect: &Expect, within: f64, seen: Seen<'_>, other: Option<&Image>
 impl Seen<'_> {
     /// A figure whose error is relative to what is expected; absolute if that is 0.
     fn figure(&self, what: impl Into<String>, expected: f64, measured: f64, within: f64) -> Figure {
-        let method = self.method;
+        let method = self.method.to_owned();
         let error = off(measured, expected);
         Figure { method, what: what.into(), expected, measured, error, within }
     }

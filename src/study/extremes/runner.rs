@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::cases::{Case, Cases, Expect, Like};
 use super::checks::CHECKS;
@@ -30,7 +30,7 @@ pub struct Runner<'a> {
 }
 
 /// What came of a figure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// It is what it must be.
@@ -42,7 +42,7 @@ pub enum Verdict {
 }
 
 /// A figure of a case.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Judged {
     /// The row that the case belongs to.
     pub row: String,
@@ -242,9 +242,10 @@ fn judge_outcome(
 }
 
 /// A figure that holds only if it is what it must be.
-fn exact(method: &'static str, what: &str, expected: f64, measured: f64) -> Figure {
+fn exact(method: &str, what: &str, expected: f64, measured: f64) -> Figure {
     let error = (measured - expected).abs();
-    Figure { method, what: what.to_owned(), expected, measured, error, within: 0.0 }
+    let (method, what) = (method.to_owned(), what.to_owned());
+    Figure { method, what, expected, measured, error, within: 0.0 }
 }
 
 fn judged(case: &Case, figure: Figure) -> Judged {

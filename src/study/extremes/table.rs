@@ -130,7 +130,7 @@ fn cells(judged: &Judged) -> [String; 8] {
     };
     [
         judged.case.clone(),
-        figure.method.to_owned(),
+        figure.method.clone(),
         figure.what.clone(),
         short(figure.expected),
         short(figure.measured),
@@ -170,7 +170,7 @@ pub fn csv(out: &mut (impl Write + ?Sized), report: &Report<'_>) -> io::Result<(
         let figure = &judged.figure;
         let numbers = [figure.expected, figure.measured, figure.error, figure.within];
         let numbers = numbers.map(|number| number.to_string());
-        let texts = [&*judged.row, &*judged.case, figure.method, &*figure.what];
+        let texts = [&*judged.row, &*judged.case, &*figure.method, &*figure.what];
         let refusal = judged.refusal.as_deref().unwrap_or_default();
         let fields = texts.into_iter().chain(numbers.iter().map(String::as_str));
         let fields: Vec<_> =
@@ -230,7 +230,7 @@ mod tests {
                     treatment = \"t\"\n[[case]]\nname = \"c\"\nrow = \"r\"\n";
         let cases = Cases::parse(text).unwrap();
         let figure = |measured| Figure {
-            method: "vpl",
+            method: "vpl".to_owned(),
             what: "a, b|c".to_owned(),
             expected: 1.0,
             measured,

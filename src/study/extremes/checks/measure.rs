@@ -13,13 +13,13 @@ pub const GATHERING: [Method; 4] = [Method::Vpl, Method::Vplc, Method::Vpc, Meth
 /// A figure that may be off by so much.
 pub fn absolute(what: impl Into<String>, expected: f64, measured: f64, within: f64) -> Figure {
     let error = (measured - expected).abs();
-    Figure { method: "", what: what.into(), expected, measured, error, within }
+    Figure { method: String::new(), what: what.into(), expected, measured, error, within }
 }
 
 /// A figure that may be off by such a share of what it must be.
 pub fn relative(what: impl Into<String>, expected: f64, measured: f64, within: f64) -> Figure {
     let error = (measured / expected - 1.0).abs();
-    Figure { method: "", what: what.into(), expected, measured, error, within }
+    Figure { method: String::new(), what: what.into(), expected, measured, error, within }
 }
 
 /// A count of what must not be.
@@ -34,7 +34,7 @@ pub fn at_most(what: impl Into<String>, error: f64, within: f64) -> Figure {
 
 /// The same figure, of a method.
 pub fn of(method: Method, figure: Figure) -> Figure {
-    Figure { method: method.name(), ..figure }
+    Figure { method: method.name().to_owned(), ..figure }
 }
 
 /// The device, and the same without subgroups where it has them: each with the name of its kernels.
