@@ -1,8 +1,12 @@
 //! The pipeline: what is prepared once, and the passes of a frame in their order.
 
+mod bound;
+mod camera_rays;
 mod compensate;
+mod direct;
 mod features;
 mod film;
+mod frame;
 mod gather;
 mod gathers;
 mod interleave;
@@ -27,13 +31,11 @@ mod vpl;
 use std::ops::Deref;
 use std::time::{Duration, Instant};
 
-use serde::{Deserialize, Serialize};
-
-use crate::gpu::{Gpu, GpuError, PassTime};
-use crate::image::Image;
+use crate::gpu::{Gpu, GpuError};
 use crate::scene::{Camera, Environment, Scene};
 
 pub use features::{Features, Sky, Target};
+pub use frame::{Counts, Frame, Phases};
 pub use kernels::{Kernels, all_programs};
 pub use light::{LightKind, Lights};
 pub use plan::Plan;
@@ -126,88 +128,6 @@ impl Deref for Prepared {
     }
 }
 
-/// Wall-clock time of each phase of a frame. They do not overlap.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Phases {
-    /// Camera rays.
-    pub visible_points: Duration,
-    /// Direct light.
-    pub direct: Duration,
-    /// Light paths on the host.
-    pub vpls: Duration,
-    /// K-means of the visible points.
-    pub cluster_points: Duration,
-    /// K-means of the VPLs.
-    pub cluster_vpls: Duration,
-    /// Shadow rays between visible points and VPLs; of [`Method::Path`], all rays but those of
-    /// the camera and the shadow rays of visible points.
-    pub visibility: Duration,
-    /// Shading every point by every VPL, and resolving points to pixels; of [`Method::Path`],
-    /// all that traces no rays.
-    pub shading: Duration,
-    /// Giving back what the bound on G removed.
-    pub compensation: Duration,
-    /// Copies from the device.
-    pub readback: Duration,
-}
-
-impl Phases {
-    /// pT of the thesis: generating VPLs (and clustering).
-    pub fn preprocess(&self) -> Duration {
-        self.vpls + self.cluster_points + self.cluster_vpls
-    }
-
-    /// rT of the thesis: visibility and shading, and what compensates the shading's bound.
-    pub fn render(&self) -> Duration {
-        self.visibility + self.shading + self.compensation
-    }
-}
-
-/// What a frame counted.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct Counts {
-    /// Visible points that hit a surface.
-    pub visible_points: u64,
-    /// VPLs deposited.
-    pub vpls: u64,
-    /// Clusters of VPLs, where the method makes them.
-    pub vpl_clusters: Option<u64>,
-    /// Clusters of visible points, where the method makes them.
-    pub point_clusters: Option<u64>,
-    /// Segments traced between visible points and VPLs: pairs whose cosines are both
-    /// positive. Of [`Method::Path`], between vertices and lights.
-    pub shadow_rays: u64,
-    /// Pairs of visible point and VPL.
-    pub shading_terms: u64,
-    /// The bound on G used, in 1/length² of the scene file's units; none when off or unused.
-    pub clamp: Option<f64>,
-    /// The share of the reflected indirect light that the clamp removed.
-    pub clamped_fraction: f64,
-    /// The share of the flux that reaches surfaces which paths of a finite number of bounces
-    /// still carry when they are ended; none where they are not ended, or there are none.
-    #[serde(default)]
-    pub truncated_fraction: Option<f64>,
-    /// Pixels that are not finite.
-    pub nonfinite_pixels: u64,
-}
-
-/// A rendered frame.
-#[derive(Debug, Clone)]
-pub struct Frame {
-    /// Linear radiance, or the data that the method shows.
-    pub image: Image,
-    /// Of [`Method::Path`] with two samples or more: the standard error of each pixel's mean, from
-    /// the variance of its samples as if they were independent. They are stratified, so that the
-    /// true error tends to be smaller.
-    pub standard_error: Option<Image>,
-    /// What was counted.
-    pub counts: Counts,
-    /// How long each phase took, by the wall clock.
-    pub phases: Phases,
-    /// How long each kernel ran, by the device's clock; empty where it has none.
-    pub passes: Vec<PassTime>,
-}
-
 /// Told about the progress of a frame: the fraction done, in [0, 1], and the phase.
 pub type Progress<'a> = &'a dyn Fn(f64, &'static str);
 
@@ -233,7 +153,7 @@ pub fn frame(
     let vpls = light_paths(prepared, settings, seed);
     counts.vpls = vpls.len() as u64;
     counts.truncated_fraction = vpl::truncated_fraction(&vpls, settings.bounces, &prepared.scene);
-    let bound = bound(prepared, settings, &vpls);
+    let bound = bound::of(prepared, settings, &vpls);
     let scale = prepared.scene.units.scale;
     counts.clamp = bound.map(|bound| f64::from(bound) / (scale * scale));
     let lights: Vec<_> = vpls.iter().map(|vpl| VirtualLight::of(vpl, &prepared.scene)).collect();
@@ -319,45 +239,4 @@ pub fn light_paths(prepared: &Prepared, settings: &Settings, seed: u32) -> Vec<V
 fn spread(lights: &[VirtualLight], count: usize) -> Vec<VirtualLight> {
     let count = count.min(lights.len());
     (0..count).map(|i| lights[i * lights.len() / count]).collect()
-}
-
-/// The default bound where what it removes is given back, over the one where it is lost: light of
-/// VPLs nearby, whose blotches a pixel shows, is left to paths, whose noise the pixels around take
-/// off.
-///
-/// Measured: relMSE of the indirect light against a path tracer's, and nRMSE of tiles (%), Cornell
-/// boxes lit from above and upwards, 512², B = 2, `both`, means of two or three seeds:
-///
-/// | light paths | bound | above | | upwards | |
-/// | --- | --- | --- | --- | --- | --- |
-/// | 2000 | 1/30 | .0020 | 4.2 | .0043 | 2.4 |
-/// | | 1/60 | .0018 | 3.5 | .0042 | 2.1 |
-/// | | 1/120 | .0020 | 3.0 | .0046 | 2.1 |
-/// | 8000 | lost, 1 | .0040 | 4.5 | .0078 | 3.8 |
-/// | | 1/32 | .0016 | 2.4 | .0039 | 2.0 |
-/// | | 1/64 | .0014 | 2.0 | .0038 | 1.9 |
-/// | | 1/127 | .0014 | 1.8 | .0038 | 1.7 |
-/// | 32000 | 1/32 | .0012 | 1.6 | .0037 | 1.6 |
-/// | | 1/64 | .0011 | 1.4 | .0035 | 1.5 |
-/// | | 1/125 | .0011 | 1.3 | .0035 | 1.4 |
-///
-/// Where light stays lost that paths from the camera do not find, the bound is not lowered: no image
-/// is darker for it.
-const COMPENSATED: f32 = 1.0 / 64.0;
-
-/// Bounds on G in normalised units that differ from no bound, and from no light, at any distance of
-/// places in f32; shaders compute with their inverse and square.
-const BOUNDS: [f64; 2] = [1e-18, 1e18];
-
-/// The bound on G in normalised units; none when it is off or there are no VPLs.
-fn bound(prepared: &Prepared, settings: &Settings, vpls: &[Vpl]) -> Option<f32> {
-    let scale = prepared.scene.units.scale;
-    let given_back = settings.compensates() && !prepared.scene.has_hidden_caustics();
-    match settings.clamp {
-        _ if vpls.is_empty() => None,
-        Clamp::Off => None,
-        Clamp::At(bound) => Some((bound * scale * scale).clamp(BOUNDS[0], BOUNDS[1]) as f32),
-        Clamp::Auto => vpl::density_bound(vpls, &prepared.scene)
-            .map(|bound| if given_back { bound * COMPENSATED } else { bound }),
-    }
 }

@@ -11,8 +11,8 @@ pub(super) mod vertices;
 
 use std::time::{Duration, Instant};
 
+use super::camera_rays::camera_params;
 use super::film::{BLOCK, blank};
-use super::tile::camera_params;
 use super::visibility::dispatch_rays;
 use super::{Bounces, Counts, Direct, Frame, Phases, Prepared, Progress, Settings};
 use crate::gpu::{CameraParams, GpuError, PathParams, PathSum};

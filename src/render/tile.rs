@@ -9,19 +9,17 @@ use super::gathers::{Clustered, Gathers};
 use super::interleave::Interleave;
 use super::light_set::LightSet;
 use super::stages::{Stage, Stages};
-use super::visibility::dispatch_rays;
 use super::vpl::Vpl;
-use super::{Counts, Method, Phases, Prepared, Progress, Settings, kernels};
-use crate::gpu::{CameraParams, DirectParams, GpuError, PointRecord};
+use super::{Counts, Method, Phases, Prepared, Progress, Settings};
+use crate::gpu::{GpuError, PointRecord};
 use crate::image::Image;
-use crate::sampling::{SURFACE_OFFSET, hash};
 use crate::scene::Camera;
 
 /// Renders the tiles of one frame.
 #[derive(Debug)]
 pub struct TileRenderer<'a> {
     pub(super) prepared: &'a Prepared,
-    camera: &'a Camera,
+    pub(super) camera: &'a Camera,
     pub(super) settings: &'a Settings,
     pub(super) seed: u32,
     pub(super) tiling: Tiling,
@@ -251,59 +249,6 @@ impl<'a> TileRenderer<'a> {
         Ok(())
     }
 
-    /// Brings the radiance of a sample to the film, with more camera rays at edges; nothing if
-    /// it is there already.
-    fn antialias(&self, tile: Tile) -> Result<Duration, GpuError> {
-        if let Some(stage) = &self.stages.resolve {
-            return self.run(stage, &(), [tile.blocks, 1]);
-        }
-        let Some(stage) = &self.stages.antialias else { return Ok(Duration::ZERO) };
-        let params = self.camera_params(tile);
-        let at_once = kernels::rays_at_once(self.prepared.bvh.nodes.len());
-        let mut time = Duration::ZERO;
-        for first_ray in (0..params.edge_rays).step_by(at_once as usize) {
-            let rays = at_once.min(params.edge_rays - first_ray);
-            let params = CameraParams { first_ray, rays, ..params };
-            time += self.run(stage, &params, [tile.blocks, 1])?;
-        }
-        Ok(time)
-    }
-
-    /// Direct light, in dispatches of a bounded number of shadow rays.
-    fn direct(&self, tile: Tile) -> Result<Duration, GpuError> {
-        let most = kernels::rays_at_once(self.prepared.bvh.nodes.len());
-        let slice = (dispatch_rays(self.prepared) / tile.points()).clamp(1, most);
-        let mut time = Duration::ZERO;
-        for (kind, stage) in &self.stages.direct {
-            let lights = self.prepared.lights.count(*kind);
-            if lights == 0 {
-                continue;
-            }
-            let rays = match kind.is_exact() {
-                true => lights,
-                false => self.settings.light_samples_per_point(),
-            };
-            for start in (0..rays).step_by(slice as usize) {
-                let params = DirectParams {
-                    points: tile.points(),
-                    lights,
-                    first: start,
-                    count: slice.min(rays - start),
-                    seed: hash(self.seed),
-                    first_block: tile.first_block,
-                    offset: SURFACE_OFFSET,
-                    nodes: self.prepared.bvh.nodes.len() as u32,
-                    sample: tile.sample,
-                    samples: self.settings.samples,
-                    weight: 1.0 / (rays as f32 * self.settings.samples as f32),
-                    share: 1.0 / rays as f32,
-                };
-                time += self.run(stage, &params, [tile.blocks, 1])?;
-            }
-        }
-        Ok(time)
-    }
-
     fn reflect(&self, groups: [u32; 2]) -> Result<Duration, GpuError> {
         self.stages
             .reflect
@@ -323,16 +268,6 @@ impl<'a> TileRenderer<'a> {
     ) -> Result<Duration, GpuError> {
         stage.run(self.prepared, params, workgroups)
     }
-
-    pub(super) fn camera_params(&self, tile: Tile) -> CameraParams {
-        CameraParams {
-            first_block: tile.first_block,
-            sample: tile.sample,
-            blocks: tile.blocks,
-            edge_rays: self.settings.edge_samples.div_ceil(self.settings.samples),
-            ..camera_params(self.prepared, self.camera, self.settings.samples, self.seed)
-        }
-    }
 }
 
 /// Tiles as large as what they hold a point allows: much, if every point has a row of the bit
@@ -343,28 +278,5 @@ fn tiling(camera: &Camera, settings: &Settings) -> Tiling {
     match settings.interleaves() || settings.antialiases() {
         true => Tiling::of_rows(camera, blocks, settings.samples),
         false => Tiling::of_runs(camera, blocks, settings.samples),
-    }
-}
-
-/// What camera rays of all tiles share.
-pub fn camera_params(
-    prepared: &Prepared,
-    camera: &Camera,
-    samples: u32,
-    seed: u32,
-) -> CameraParams {
-    let [x, y] = camera.half_tangents();
-    CameraParams {
-        position: camera.position.to_array(),
-        width: camera.size[0],
-        forward: camera.forward.to_array(),
-        height: camera.size[1],
-        right: (camera.right * x).to_array(),
-        up: (camera.up * y).to_array(),
-        samples,
-        seed: hash(seed ^ 0x68e3_1da4),
-        nodes: prepared.bvh.nodes.len() as u32,
-        offset: SURFACE_OFFSET,
-        ..bytemuck::Zeroable::zeroed()
     }
 }

@@ -313,5 +313,7 @@ mod tests {
         assert_eq!(Cases::parse(&unknown).unwrap_err(), "albedo $a: $x is not set");
         let key = text.replace("options", "option");
         assert!(Cases::parse(&key).unwrap_err().contains("unknown field `option`"));
+        let twice = text.replace("albedo $a", "albedo");
+        assert_eq!(Cases::parse(&twice).unwrap_err(), "albedo: two cases have this name");
     }
 }
