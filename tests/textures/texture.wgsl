@@ -1,4 +1,4 @@
-// Samples textures, for tests/textures.rs.
+// Samples textures, for the test of that name.
 
 // Texture coordinates and, as a number, the texture.
 @group(0) @binding(3) var<storage, read> places: array<vec4f>;
