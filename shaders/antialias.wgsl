@@ -52,7 +52,7 @@ fn main(
             params.position, direction, limit, params.nodes, params.offset, index, stream,
             invocation,
         );
-        let seen = hit_point(sight.hit, sight.direction, params.offset);
+        let seen = hit_point(sight.hit, sight.direction);
         // The nearest on the same surface; if there is none, the nearest of all.
         var best = own;
         var least = HUGE;

@@ -51,7 +51,7 @@ fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> Light
     // As far before the light as it starts before the point.
     let end = on_light + light.normal * (sign(facing) * offset);
     return LightSample(
-        end - light_origin(point, offset),
+        end - ray_end(point, offset),
         1.0,
         cosine > 0.0 && emitted > 0.0,
         light.radiance * light_glow(index, place.weights),

@@ -36,8 +36,9 @@ fn main(
     let lives = path_random(slot, stream, ROULETTE_DIMENSIONS).x < probability;
     let is = id.x < params.paths && lives;
     let first = params.bounce == 0u;
-    // A segment from the visible point finds no light; the slack is of the ray's offset.
-    let far = min(1.01 * farthest(point, drawn.direction) + 4.0 * params.offset, HUGE);
+    // A segment from the visible point finds no light; the slack is of where the ray starts.
+    let slack = 4.0 * distance(ray_end(point, params.offset), point.position);
+    let far = min(1.01 * farthest(point, drawn.direction) + slack, HUGE);
     let limit = select(0.0, select(HUGE, far, first), is);
     let sight = follow_path(slot, stream, point, drawn.direction, limit, invocation);
     let hit = sight.hit;
@@ -45,7 +46,7 @@ fn main(
     let density = found_density(point, drawn, sight);
     var goes_on = false;
     if is && hit.triangle != NOTHING {
-        let next = hit_point(hit, sight.direction, params.offset);
+        let next = hit_point(hit, sight.direction);
         // The light of virtual point lights comes by no mirror: nothing is removed of what a
         // vertex sees in one, and the visible point has none of it.
         let turned = select(ALL_REMOVED, 0.0, first);
@@ -54,7 +55,7 @@ fn main(
         keep_glow(slot, hit, next);
         find_emission(slot, all * throughput, point, hit, next, sight.direction, density);
         goes_on = arrive(slot, carried, next, throughput, g);
-        points[slot] = with_view(next, sight.direction);
+        points[slot] = with_view(next, way_back(next, sight.direction, params.offset));
     } else if is {
         find_background(slot, all * throughput, sight.direction, density);
     }

@@ -31,14 +31,16 @@ fn follow(
     var reach = limit;
     for (var i = 0u; i <= MOST_SPECULAR; i++) {
         let hit = traverse(at, seen.direction, reach, node_count, false, invocation);
-        let point = hit_point(hit, seen.direction, offset);
+        let point = hit_point(hit, seen.direction);
         let finish = finish_of(point);
         let goes_on = reach > 0.0 && hit.triangle != NOTHING && finish.kind >= MIRROR;
         if reach > 0.0 { seen.hit = hit; }
         if goes_on {
             let u = scrambled(number, hash(stream ^ hash(i + 1u))).x;
             let turned = turn(point, finish, seen.direction, u);
-            at = point.position + (offset * turned.side) * point.normal;
+            let back = way_back(point, seen.direction, offset);
+            let through = way_through(point, seen.direction, offset);
+            at = point.position + select(through, back, turned.side > 0.0);
             seen.direction = turned.direction;
             seen.throughput *= turned.weight;
             seen.turned = true;

@@ -13,8 +13,3 @@ struct LightSample {
     // With which it was drawn.
     density: f32,
 }
-
-// Shadow rays start, and end, this far off surfaces.
-fn light_origin(point: Point, offset: f32) -> vec3f {
-    return point.position + offset * point.normal;
-}

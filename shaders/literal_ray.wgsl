@@ -34,13 +34,25 @@ fn plane(ray: Ray, normal: vec3f, height: f32) -> f32 {
 }
 
 // Triangles come by index, so that of those at the same t the lowest stays.
-// What may be 0 counts as of either side: see `intersect` in ray.wgsl.
-fn nearer(met: Met, at: f32, u: f32, v: f32, w: f32, slack: f32, triangle: u32) -> Met {
+// What may be 0 counts as of either side, but not from the triangle's own plane: see `intersect` in
+// ray.wgsl. `edge` is its longest.
+fn nearer(
+    met: Met,
+    at: f32,
+    u: f32,
+    v: f32,
+    w: f32,
+    slack: f32,
+    edge: f32,
+    triangle: u32,
+) -> Met {
     let least = min(u, min(v, w));
     let most = max(u, max(v, w));
-    let one_side = least >= -slack || most <= slack;
-    let t = select(at * BEYOND, at, least >= 0.0 || most <= 0.0);
-    let is = one_side && u + v + w != 0.0 && t > 0.0 && t < met.t;
+    let sum = u + v + w;
+    let strict = least >= 0.0 || most <= 0.0;
+    let may_be = (least >= -slack || most <= slack) && abs(at * sum) > slack * edge;
+    let t = select(at * BEYOND, at, strict);
+    let is = (strict || may_be) && sum != 0.0 && t > 0.0 && t < met.t;
     return Met(
         select(met.t, t, is),
         select(met.triangle, triangle, is),

@@ -24,8 +24,8 @@ fn main(
         params.sample + slot % params.rays, stream, invocation,
     );
     if is {
-        let point = hit_point(sight.hit, sight.direction, params.offset);
-        points[slot] = with_view(point, sight.direction);
+        let point = hit_point(sight.hit, sight.direction);
+        points[slot] = with_view(point, way_back(point, sight.direction, params.offset));
         keep_albedo(slot, sight.hit, point);
         keep_glow(slot, sight.hit, point);
         radiance[slot] = vec4f(0.0);

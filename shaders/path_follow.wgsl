@@ -15,7 +15,7 @@ fn follow_path(
     invocation: u32,
 ) -> Sight {
     return follow(
-        point.position + params.offset * point.normal, direction, limit, params.nodes,
+        ray_end(point, params.offset), direction, limit, params.nodes,
         params.offset, params.first_sample + slot % params.samples,
         hash(stream ^ hash(TURN_STREAM + params.bounce)), invocation,
     );

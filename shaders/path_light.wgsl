@@ -10,7 +10,7 @@
 // must call it together.
 fn receive(slot: u32, light: LightSample, irradiance: vec3f, is: bool, invocation: u32) {
     let point = points[slot];
-    let origin = light_origin(point, params.offset);
+    let origin = ray_end(point, params.offset);
     let limit = select(0.0, light.limit, is);
     let hit = traverse(origin, light.toward, limit, params.nodes, true, invocation);
     if is {

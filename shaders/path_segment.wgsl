@@ -26,8 +26,8 @@ fn main(
     let carried = throughput / probability * throughput_of(sight);
     let density = found_density(point, scattered, sight);
     if hit.triangle != NOTHING {
-        let next = hit_point(hit, sight.direction, params.offset);
-        points[slot] = with_view(next, sight.direction);
+        let next = hit_point(hit, sight.direction);
+        points[slot] = with_view(next, way_back(next, sight.direction, params.offset));
         keep_albedo(slot, hit, next);
         keep_glow(slot, hit, next);
         paths[slot] = Path(carried, path.stream);

@@ -60,11 +60,15 @@ fn largest(v: vec3f) -> f32 {
     return max(v.x, max(v.y, v.z));
 }
 
+// The longest edge, by its coordinates.
+fn longest_edge(a: vec3f, b: vec3f, c: vec3f) -> f32 {
+    return largest(max(abs(c - b), max(abs(a - c), abs(b - a))));
+}
+
 // For edges and corners: what their volumes may be off, for a direction whose coordinates sum to 1.
 fn volume_slack(a: vec3f, b: vec3f, c: vec3f) -> f32 {
-    let edges = max(abs(c - b), max(abs(a - c), abs(b - a)));
     let corners = max(abs(a), max(abs(b), abs(c)));
-    return VOLUME_ROUNDING * largest(edges) * largest(corners);
+    return VOLUME_ROUNDING * longest_edge(a, b, c) * largest(corners);
 }
 
 // The same of lines that are given by direction and moment, for rays from this origin: 8 half ulps
@@ -77,22 +81,28 @@ fn line_slack(origin: vec3f) -> f32 {
 // From the volumes that the ray spans with the edges: an edge gives exactly opposite volumes
 // to its two triangles, so that no ray slips between them. The Pluecker form of Woop, Benthin
 // and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013. At a vertex the volumes of all its
-// edges are mere rounding, and any signs: what may be 0 counts as either.
+// edges are mere rounding, and any signs: what may be 0 counts as either. But not from the triangle's
+// own plane, or as near to it as an edge may be off: along it all volumes are mere rounding, however
+// far from the ray, or behind it, the triangle is.
 fn intersect(a: vec3f, b: vec3f, c: vec3f, direction: vec3f) -> Meeting {
     let volumes = vec3f(
         dot(cross(c - b, c + b), direction),
         dot(cross(a - c, a + c), direction),
         dot(cross(b - a, b + a), direction),
     );
-    let slack = volume_slack(a, b, c) * dot(abs(direction), vec3f(1.0));
+    let slack = volume_slack(a, b, c);
+    let off = slack * dot(abs(direction), vec3f(1.0));
     let least = min(volumes.x, min(volumes.y, volumes.z));
     let most = max(volumes.x, max(volumes.y, volumes.z));
     let normal = cross(b - a, c - a);
     let speed = dot(normal, direction);
     let weights = weights_of(volumes);
-    let inside = (least >= -slack || most <= slack) && speed != 0.0 && weights.x >= 0.0;
-    let t = dot(normal, a) / speed;
-    return Meeting(select(t * BEYOND, t, least >= 0.0 || most <= 0.0), inside, weights);
+    let height = dot(normal, a);
+    let t = height / speed;
+    let strict = least >= 0.0 || most <= 0.0;
+    let may_be = (least >= -off || most <= off) && abs(height) > slack * longest_edge(a, b, c);
+    let inside = (strict || may_be) && speed != 0.0 && weights.x >= 0.0;
+    return Meeting(select(t * BEYOND, t, strict), inside, weights);
 }
 
 // The weights of a triangle's corners, none below 0; -1 if there are none.

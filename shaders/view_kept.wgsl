@@ -1,15 +1,15 @@
-// Where a point is seen from, which decides what a glossy surface shows. It takes the place of
-// the depth, two coordinates of 16 bits: those of Cigolla et al., "A Survey of Efficient
-// Representations for Independent Unit Vectors", JCGT 2014.
+// Where a point is seen from: rays start and end on that way, and it decides what a glossy surface
+// shows. It takes the place of the depth, two coordinates of 16 bits: those of Cigolla et al.,
+// "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 2014.
 
 // Exactly -1 or 1.
 fn signs(v: vec2f) -> vec2f {
     return select(vec2f(-1.0), vec2f(1.0), v >= vec2f(0.0));
 }
 
-// The point as a ray of this direction sees it.
-fn with_view(point: Point, direction: vec3f) -> Point {
-    let v = -direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));
+// The point with a way towards the viewer, of any length.
+fn with_view(point: Point, way: vec3f) -> Point {
+    let v = way / (abs(way.x) + abs(way.y) + abs(way.z));
     let folded = select((1.0 - abs(v.yx)) * signs(v.xy), v.xy, v.z >= 0.0);
     var seen = point;
     seen.depth = bitcast<f32>(pack2x16snorm(folded));
@@ -22,4 +22,10 @@ fn view_of(point: Point) -> vec3f {
     let z = 1.0 - abs(v.x) - abs(v.y);
     let unfolded = select((1.0 - abs(v.yx)) * signs(v), v, z >= 0.0);
     return normalize(vec3f(unfolded, z));
+}
+
+// Where rays start and end, this far off the surface.
+fn ray_end(point: Point, offset: f32) -> vec3f {
+    let view = view_of(point);
+    return point.position + view * (offset / dot(view, point.normal));
 }

@@ -1,5 +1,5 @@
-// Diffuse surfaces look alike from everywhere.
+// Where no rays start at points, they keep their depth.
 
-fn with_view(point: Point, direction: vec3f) -> Point {
+fn with_view(point: Point, way: vec3f) -> Point {
     return point;
 }

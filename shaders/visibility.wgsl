@@ -19,7 +19,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         if dot(between, point.normal) >= 0.0 || facing(between, vpl.normal) <= 0.0 { continue; }
         rays++;
         let origin = vpl.position + params.offset * vpl.normal;
-        let end = point.position + params.offset * point.normal;
+        let end = ray_end(point, params.offset);
         let hit = traverse(origin, end - origin, 1.0, params.nodes, true, 0u);
         if hit.triangle == NOTHING { seen |= 1u << i; }
     }

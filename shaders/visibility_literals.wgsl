@@ -29,7 +29,8 @@ fn plane(ray: Ray, normal: vec3f, height: f32) -> vec4<bool> {
     return (rest * speed > vec4f(0.0)) & (vec4f(abs(rest)) < abs(speed));
 }
 
-// What may be 0 counts as of either side: see `intersect` in ray.wgsl.
+// What may be 0 counts as of either side: see `intersect` in ray.wgsl. That it does so from the
+// triangle's own plane as well, at worst blocks a ray along it.
 fn nearer(
     met: Met,
     between: vec4<bool>,
@@ -37,6 +38,7 @@ fn nearer(
     v: vec4f,
     w: vec4f,
     slack: vec4f,
+    longest_edge: f32,
     triangle: u32,
 ) -> Met {
     let one_side = (min(u, min(v, w)) >= -slack) | (max(u, max(v, w)) <= slack);
@@ -56,6 +58,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let surfaces = vec4u(p0.surface, p1.surface, p2.surface, p3.surface);
     let are = (surfaces != vec4u(NOTHING)) & (vec4u(row) + vec4u(0u, 1u, 2u, 3u) <= vec4u(last));
     let positions = transpose(mat4x3f(p0.position, p1.position, p2.position, p3.position));
+    let ends = transpose(mat4x3f(
+        ray_end(p0, params.offset), ray_end(p1, params.offset),
+        ray_end(p2, params.offset), ray_end(p3, params.offset),
+    ));
     let normals = transpose(mat4x3f(p0.normal, p1.normal, p2.normal, p3.normal));
 
     var seen = vec4u(0u);
@@ -77,7 +83,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         let open = are & (towards < vec4f(0.0)) & (faced > vec4f(0.0));
         rays += vec4u(open);
         let origin = vpl.position + params.offset * vpl.normal;
-        let ways = positions + params.offset * normals - origins(origin);
+        let ways = ends - origins(origin);
         let slack = line_slack(origin) * (abs(ways[0]) + abs(ways[1]) + abs(ways[2]));
         let free = open & !meet_scene(Ray(origin, ways, slack), 1.0);
         seen |= vec4u(free) << vec4u(i);

@@ -23,8 +23,8 @@ fn main(
     );
     if sight.hit.triangle != NOTHING { film[id.x].w += 1.0; }
     if id.x < params.blocks * 64u {
-        let point = hit_point(sight.hit, sight.direction, params.offset);
-        points[id.x] = with_view(point, sight.direction);
+        let point = hit_point(sight.hit, sight.direction);
+        points[id.x] = with_view(point, way_back(point, sight.direction, params.offset));
         keep_albedo(id.x, sight.hit, point);
         keep_glow(id.x, sight.hit, point);
         keep_throughput(id.x, sight);

@@ -180,7 +180,7 @@ fn plain_programs_hold_neither_spheres_nor_textures() {
     };
     let [none, all] = [Features::default(), Features::everything()].map(|features| {
         let target = Target::of(true, features);
-        words(&kernels::visible_points(target))
+        words(&kernels::visible_points(target, true))
     });
     assert_eq!((none, all), ([false; 5], [true; 5]));
 }

@@ -223,6 +223,31 @@ fn slivers_duplicates_and_boxes() {
     }
 }
 
+/// A wall of the room next door ends a millimetre from the wall between, and a ray starts in its plane
+/// but for rounding, going away from it: the volumes it spans with the wall's edges are rounding too.
+#[test]
+fn rays_along_the_plane_of_a_triangle_behind_them_miss_it() {
+    const RAYS: usize = 20_000;
+    let wall = triangle([
+        Vec3::new(-0.5, -0.5, -0.25),
+        Vec3::new(-1e-3, -0.5, -0.25),
+        Vec3::new(-1e-3, 0.5, -0.25),
+    ]);
+    let mut rng = Rng(9);
+    let rays: Vec<Ray> = (0..RAYS)
+        .map(|_| {
+            let origin = Vec3::new(4e-6, rng.unit() - 0.5, -0.25 + 5e-7 * rng.unit());
+            let direction = Vec3::new(1.0, rng.unit() - 0.5, -5e-4 * rng.unit()).normalize();
+            Ray { origin, direction, limit: f32::MAX }
+        })
+        .collect();
+    for (side, answers) in on_all(&Bvh::build(&[wall]), &rays, false) {
+        let wrong = answers.iter().filter(|answer| answer.hits()).count();
+        // Those whose volumes are all of one sign, by chance.
+        assert!(wrong < RAYS / 200, "{side}: {wrong} of {RAYS} hit what is behind them");
+    }
+}
+
 #[test]
 fn the_judge_sees_wrong_answers() {
     let triangles = [triangle([Vec3::ZERO, Vec3::X, Vec3::Y])];

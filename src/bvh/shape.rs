@@ -45,7 +45,9 @@ const BEYOND: f32 = 1.000_01;
 /// its two triangles, so that no ray slips between them (Woop, Benthin and Wald, "Watertight
 /// Ray/Triangle Intersection", JCGT 2013; the form is that of Plücker coordinates, relative to the
 /// ray's origin). At a vertex the volumes of all its edges are mere rounding, and any signs: what
-/// may be 0 counts as either.
+/// may be 0 counts as either. But not from the triangle's own plane, or as near to it as an edge may be
+/// off: along it all volumes are mere rounding, however far from the ray, or behind it, the triangle
+/// is.
 fn meet_triangle(ray: &Ray, corners: [Vec3; 3]) -> Option<Meeting> {
     let [a, b, c] = corners.map(|corner| corner - ray.origin);
     let d = ray.direction;
@@ -54,13 +56,17 @@ fn meet_triangle(ray: &Ray, corners: [Vec3; 3]) -> Option<Meeting> {
     let w = (b - a).cross(b + a).dot(d);
     let edges = (c - b).abs().max((a - c).abs()).max((b - a).abs()).max_element();
     let corners = a.abs().max(b.abs()).max(c.abs()).max_element();
-    let slack = VOLUME_ROUNDING * edges * corners * d.abs().element_sum();
-    if u.min(v).min(w) < -slack && u.max(v).max(w) > slack {
+    let slack = VOLUME_ROUNDING * edges * corners;
+    let off = slack * d.abs().element_sum();
+    if u.min(v).min(w) < -off && u.max(v).max(w) > off {
         return None;
     }
     let normal = (b - a).cross(c - a);
     let (height, speed) = (normal.dot(a), normal.dot(d));
     let strict = u.min(v).min(w) >= 0.0 || u.max(v).max(w) <= 0.0;
+    if !strict && height.abs() <= slack * edges {
+        return None;
+    }
     let t = if strict { height / speed } else { height / speed * BEYOND };
     let side = if u + v + w >= 0.0 { 1.0 } else { -1.0 };
     let [u, v, w] = [u, v, w].map(|volume| (side * volume).max(0.0));

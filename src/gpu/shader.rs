@@ -53,7 +53,8 @@ pub mod module {
         HEMISPHERE = "hemisphere";
         FINISH = "finish";
         VIEW_NONE = "view_none";
-        VIEW_KEPT = "view_kept" for "phong";
+        VIEW_KEPT = "view_kept";
+        WAY_BACK = "way_back";
         PHONG = "phong" for "phong";
         GATHERED_DIFFUSE = "gathered_diffuse";
         GATHERED_PHONG = "gathered_phong" for "phong";

@@ -18,7 +18,7 @@ use crate::gpu::module::{
 };
 use crate::gpu::{CATALOGUE, GpuError, Kernel, Module, Program, TriangleRecord};
 pub use camera::{antialias, resolve, visible_points};
-use camera::{camera_rays, follow, kept, view};
+use camera::{camera_rays, follow, kept};
 pub use gather::{
     Emitter, Sharing, collect, combine, expand, rays_at_once, reflect, removed, separate, shade,
     visibility, visibility_for,
@@ -64,7 +64,7 @@ pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
         return path::needed(plan, settings);
     }
     let target = plan.target_of(settings);
-    let mut programs = vec![visible_points(target)];
+    let mut programs = vec![visible_points(target, settings.method.is_lit())];
     programs.extend(show(plan.target(), settings.method));
     if !settings.method.is_lit() {
         return programs;
@@ -180,7 +180,8 @@ pub fn all_programs() -> Vec<Program> {
             let tracing = Tracing::ALL.into_iter().filter(linked);
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
-        programs.extend([visible_points(target), antialias(target), resolve(target)]);
+        programs.extend([false, true].map(|lit| visible_points(target, lit)));
+        programs.extend([antialias(target), resolve(target)]);
         programs.extend([emit(target), reflect(target), combine(target)]);
         programs.extend([false, true].map(|given| removed(target, given)));
         for probed in [false, true] {

@@ -147,11 +147,12 @@ impl Text {
         let edges = [b - c, c - a, a - b].map(|edge| edge.abs().max_element());
         let farthest = [a, b, c].map(|corner| corner.abs().max_element());
         let largest = |of: [f64; 3]| of.into_iter().fold(0.0, f64::max);
+        let longest = largest(edges) as f32;
         let size = (largest(edges) * largest(farthest).max(1.0)) as f32;
         // Writing to a string does not fail.
         let _ = writeln!(
             self.lines,
-            "    met = nearer(met, v{plane}, {u}, {v}, {w}, ray.slack * {size:?}, {at}u);"
+            "    met = nearer(met, v{plane}, {u}, {v}, {w}, ray.slack * {size:?}, {longest:?}, {at}u);"
         );
     }
 

@@ -148,13 +148,14 @@ impl Stages {
             let named = [&named[..], &[("lights", table)]].concat();
             Ok((*kind, Stage::new(prepared, &kernels::direct_for(prepared, *kind), &named)?))
         };
+        let lit = settings.method.is_lit();
         // Clusters share the visibility of lights that have places; the others are exact.
         let per_pixel = |kind: LightKind| {
             direct && !(settings.direct == Direct::Clustered && kind.has_places())
         };
         let tables = prepared.light_tables.iter().filter(|(kind, _)| per_pixel(*kind));
         Ok(Self {
-            visible: Stage::new(prepared, &kernels::visible_points(target), &on_film)?,
+            visible: Stage::new(prepared, &kernels::visible_points(target, lit), &on_film)?,
             antialias: edges
                 .then(|| Stage::new(prepared, &kernels::antialias(target), &on_film))
                 .transpose()?,

@@ -1,20 +1,27 @@
-//! What a ray on the host has hit: the twin of `shaders/hit_point.wgsl`.
+//! What a ray on the host has hit, and where others start there: the twin of
+//! `shaders/hit_point.wgsl` and `shaders/way_back.wgsl`.
 
 use glam::Vec3;
 
-use crate::bvh::Hit;
+use crate::bvh::{Hit, Ray};
 use crate::sampling::SURFACE_OFFSET;
 use crate::scene::{Scene, texture};
 
-/// How far places are moved back, of the offset of rays from surfaces: some 8 times the rounding of
-/// a place.
-const BACK: f32 = 0.25;
+/// As in `shaders/way_back.wgsl`.
+const MOST_ALONG: f32 = 1000.0;
+const MOST_OF_RAY: f32 = 0.5;
+const BEHIND: f32 = 0.25;
 
 /// A place on a surface, on the side from which a ray came.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
     /// Where it is.
-    pub position: Vec3,
+    position: Vec3,
+    /// From there to the start of rays: off the surface, on the ray that found it, so that nothing is
+    /// between, however close a wall comes to its foot.
+    back: Vec3,
+    /// The same for rays that went through.
+    through: Vec3,
     /// Unit geometric normal of that side.
     pub normal: Vec3,
     /// Whether that side is the front.
@@ -29,20 +36,37 @@ impl Surface {
     /// What a ray of this unit direction has hit.
     pub fn of(scene: &Scene, hit: &Hit, direction: Vec3) -> Self {
         let (position, normal) = place(scene, hit);
-        // Back along the surface: at a wall's foot a ray meets the wall and, by rounding no later,
-        // the floor behind it.
+        let facing = normal.dot(direction);
+        let front = facing <= 0.0;
+        let normal = if front { normal } else { -normal };
         let along = direction.reject_from_normalized(normal);
-        let position = position - BACK * SURFACE_OFFSET * along;
-        let front = normal.dot(direction) <= 0.0;
+        let back = SURFACE_OFFSET / facing.abs().max(1.0 / MOST_ALONG);
         let material = &scene.materials[hit.material as usize];
         let texture = textured(scene, material.texture, hit);
         Self {
             position,
-            normal: if front { normal } else { -normal },
+            back: SURFACE_OFFSET * normal - back.min(MOST_OF_RAY * hit.t) * along,
+            through: -SURFACE_OFFSET * (normal + BEHIND * along),
+            normal,
             front,
             albedo: material.albedo * texture,
             material: hit.material,
         }
+    }
+
+    /// Where a VPL is put: from there, rays start straight above.
+    pub fn foot(&self) -> Vec3 {
+        self.position + (self.back - SURFACE_OFFSET * self.normal)
+    }
+
+    /// A ray that stays on this side.
+    pub fn leave(&self, direction: Vec3) -> Ray {
+        Ray { origin: self.position + self.back, direction, limit: f32::MAX }
+    }
+
+    /// A ray that goes on behind.
+    pub fn pass(&self, direction: Vec3) -> Ray {
+        Ray { origin: self.position + self.through, direction, limit: f32::MAX }
     }
 }
 

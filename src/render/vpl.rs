@@ -5,7 +5,7 @@ use std::f32::consts::PI;
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::light::{Lights, Start, leave};
+use super::light::{Lights, Start};
 use super::scatter::{self, Carried, Place};
 use super::settings::Bounces;
 use super::surface::Surface;
@@ -74,8 +74,8 @@ impl LightPaths<'_> {
         let (mut bounce, mut turns) = (0u32, 0u32);
         while !matches!(self.bounces, Bounces::Finite(most) if bounce >= most) {
             let Some(hit) = self.bvh.closest(&ray) else { break };
-            let Surface { position, normal, front, albedo, material } =
-                Surface::of(self.scene, &hit, ray.direction);
+            let surface = Surface::of(self.scene, &hit, ray.direction);
+            let Surface { normal, front, albedo, material, .. } = surface;
             let of_surface = &self.scene.materials[material as usize];
             let finish = of_surface.finish;
             let incident = ray.direction;
@@ -85,8 +85,10 @@ impl LightPaths<'_> {
                 let turned = scatter::turn(&finish, normal, front, incident, u, Carried::Flux);
                 let Some(turned) = turned.filter(|_| turns < MOST_SPECULAR) else { break };
                 flux *= turned.weight;
-                let side = if turned.reflected { normal } else { -normal };
-                ray = leave(position, side, turned.direction);
+                ray = match turned.reflected {
+                    true => surface.leave(turned.direction),
+                    false => surface.pass(turned.direction),
+                };
                 turns += 1;
                 continue;
             }
@@ -98,6 +100,7 @@ impl LightPaths<'_> {
             }
             let dimension = START_DIMENSIONS + 3 * bounce;
             bounce += 1;
+            let position = surface.foot();
             vpls.push(Vpl { position, normal, incident, flux, albedo, material, bounce });
 
             let draw = |i| sequence.sample(path, dimension + i);
@@ -110,7 +113,7 @@ impl LightPaths<'_> {
                 }
                 flux /= survival;
             }
-            ray = leave(position, normal, scattered.direction);
+            ray = surface.leave(scattered.direction);
         }
         vpls
     }

@@ -105,12 +105,25 @@ pub struct PointRecord {
     pub surface: u32,
     /// Geometric normal, facing the camera.
     pub normal: [f32; 3],
-    /// Distance from the camera; or, in frames with Phong surfaces, the direction towards the
-    /// viewer, two coordinates of 16 bits.
+    /// Distance from the camera; or, in frames with light, the direction towards the viewer, two
+    /// coordinates of 16 bits.
     pub depth: f32,
 }
 
 impl PointRecord {
     /// [`PointRecord::surface`] of a camera ray that hit nothing.
     pub const NOTHING: u32 = u32::MAX;
+
+    /// The same, seen from this direction: the twin of `with_view` in `shaders/view_kept.wgsl`.
+    pub fn seen_from(self, view: [f32; 3]) -> Self {
+        let sum = view.map(f32::abs).iter().sum::<f32>();
+        let [x, y, z] = view.map(|value| value / sum);
+        let sign = |value: f32| if value >= 0.0 { 1.0 } else { -1.0 };
+        let folded = match z >= 0.0 {
+            true => [x, y],
+            false => [(1.0 - y.abs()) * sign(x), (1.0 - x.abs()) * sign(y)],
+        };
+        let [low, high] = folded.map(|value| (value * 32767.0).round() as i16 as u16);
+        Self { depth: f32::from_bits(u32::from(low) | u32::from(high) << 16), ..self }
+    }
 }

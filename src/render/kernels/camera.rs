@@ -5,16 +5,17 @@ use crate::gpu::module::{
     ANTIALIAS, CAMERA, CORNERS, FINISH, FOLLOW_NONE, FOLLOW_SPECULAR, GLASS, HIT_POINT,
     KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, MIRROR, ONE_SURFACE, PIXELS, RESOLVE, SAMPLING,
     SHAPE_TRIANGLE, THROUGHPUT_KEPT, THROUGHPUT_NONE, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR,
-    TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_KEPT, VIEW_NONE, VISIBLE,
+    TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_KEPT, VIEW_NONE, VISIBLE, WAY_BACK,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Features, Target};
 
-/// Camera rays.
-pub fn visible_points(target: Target) -> Program {
+/// Camera rays. Points keep their depth, or, if there is light, where they are seen from.
+pub fn visible_points(target: Target, lit: bool) -> Program {
     let keep = if target.features.specular() { &KEEP_THROUGHPUT } else { &KEEP_THROUGHPUT_NONE };
     let mut modules = camera_rays(target, &kept(target.features));
-    modules.extend([view(target), keep, &VISIBLE]);
+    let view = if lit { &VIEW_KEPT } else { &VIEW_NONE };
+    modules.extend([&WAY_BACK, view, keep, &VISIBLE]);
     Program::new("visible points", modules)
 }
 
@@ -49,12 +50,7 @@ pub(super) fn follow(target: Target) -> Vec<&'static Module> {
         (false, true) => &[&GLASS, &TURN_GLASS],
         (true, true) => &[&MIRROR, &GLASS, &TURN_EITHER],
     };
-    [corners, &[&HIT_POINT, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
-}
-
-/// Whether a visible point keeps where it is seen from.
-pub(super) fn view(target: Target) -> &'static Module {
-    if target.features.phong { &VIEW_KEPT } else { &VIEW_NONE }
+    [corners, &[&HIT_POINT, &WAY_BACK, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
 }
 
 /// What comes back of the radiance of visible points.

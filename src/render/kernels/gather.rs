@@ -74,7 +74,7 @@ impl Emitter {
 
 /// Shadow rays between points and lights.
 pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program {
-    let mut modules = vec![&TYPES, vpl(target)];
+    let mut modules = vec![&TYPES, &VIEW_KEPT, vpl(target)];
     modules.extend(match tracing {
         Tracing::Single => shapes(target.features),
         Tracing::Shaft | Tracing::Rays => surfaces::blockers(target.features),

@@ -6,7 +6,7 @@ use crate::gpu::module::{
     DRAW_ONE, DRAW_RESAMPLED, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
     ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, HEMISPHERE, LIGHT_SAMPLE, LOCAL_LIGHT,
     PLACE_BY_ANGLE, PLACE_BY_AREA, POINT_LIGHT, SAMPLING, SPHERE_CONE, SPHERE_LIGHT, SPOT_LIGHT,
-    THROUGHPUT_NONE, TYPES,
+    THROUGHPUT_NONE, TYPES, VIEW_KEPT,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{LightKind, Plan, Sky, Target};
@@ -47,7 +47,7 @@ fn lights_by(target: Target, kind: LightKind, place: &'static Module) -> Vec<&'s
 /// Direct light from the lights of a kind. From many lights of some extent, those that give much
 /// are sought out; from those that are near to surfaces, places are drawn by solid angle.
 pub fn direct(target: Target, kind: LightKind, many: bool, near: bool) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING];
+    let mut modules = vec![&TYPES, &SAMPLING, &VIEW_KEPT];
     modules.extend(lobes(target));
     modules.extend(surfaces::rays(target));
     modules.push(&DIRECT);

@@ -1,6 +1,6 @@
 //! The programs of the path tracer.
 
-use super::{Plan, camera_rays, follow, has_kind, kept, lights_of, sky, surfaces, view};
+use super::{Plan, camera_rays, follow, has_kind, kept, lights_of, sky, surfaces};
 use crate::gpu::module::{
     BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
     FINISH, GATHERED_PHONG, HEMISPHERE, LOBE_ENERGY, LOBES_PHONG, MIS, NO_ROULETTE, PATH,
@@ -8,7 +8,7 @@ use crate::gpu::module::{
     PATH_EMISSION, PATH_EMISSION_ANY, PATH_EXACT, PATH_FOLLOW, PATH_FOUND, PATH_LIGHT,
     PATH_NO_BACKGROUND, PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE,
     PATH_SUM, PHONG, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, SPHERE_CONE,
-    THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_KEPT, VIEW_NONE,
+    THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_KEPT, WAY_BACK,
 };
 use crate::gpu::{Module, Program};
 use crate::render::{Bounces, Direct, LightKind, Settings, Sky, Target};
@@ -16,13 +16,14 @@ use crate::render::{Bounces, Direct, LightKind, Settings, Sky, Target};
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
     let mut modules = camera_rays(target, &kept(target.features));
-    modules.extend([view(target), &PATH_STATE, &PATH_CAMERA]);
+    modules.extend([&WAY_BACK, &VIEW_KEPT, &PATH_STATE, &PATH_CAMERA]);
     Program::new("paths, camera", modules)
 }
 
 /// What passes at the vertices of paths share, and how surfaces scatter light there.
 pub(super) fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let (first, rays) = ([&TYPES, &SAMPLING, &HEMISPHERE], surfaces::rays(target));
+    let first = [&TYPES, &SAMPLING, &HEMISPHERE, &VIEW_KEPT];
+    let rays = surfaces::rays(target);
     let path = [&PATH, &PATH_STATE, &PATH_RANDOM, surfaces::albedo(target.features)];
     [&first[..], &rays, &path, &scatter(target), last].concat()
 }
@@ -30,16 +31,8 @@ pub(super) fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static M
 /// How surfaces scatter light.
 fn scatter(target: Target) -> Vec<&'static Module> {
     match target.features.phong {
-        true => vec![
-            &GATHERED_PHONG,
-            &VIEW_KEPT,
-            &FINISH,
-            &PHONG,
-            &LOBE_ENERGY,
-            &LOBES_PHONG,
-            &SCATTER_PHONG,
-        ],
-        false => vec![&VIEW_NONE, &SCATTER_DIFFUSE],
+        true => vec![&GATHERED_PHONG, &FINISH, &PHONG, &LOBE_ENERGY, &LOBES_PHONG, &SCATTER_PHONG],
+        false => vec![&SCATTER_DIFFUSE],
     }
 }
 
@@ -97,7 +90,7 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
 pub(super) fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static Module> {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = follow(target);
-    last.extend([&PATH_FOLLOW, survival, surfaces::glow(target.features)]);
+    last.extend([&WAY_BACK, &PATH_FOLLOW, survival, surfaces::glow(target.features)]);
     last.extend(surfaces::keep(target.features));
     let sky = target.features.sky;
     if areas || sky.shines() {

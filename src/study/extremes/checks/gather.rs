@@ -7,10 +7,10 @@ use crate::gpu::{Gpu, GpuError, Pass, PointRecord, ShadeParams, VplRecord};
 use crate::render::Target;
 use crate::render::kernels::{Emitter, Sharing, shade};
 
-/// A point of a surface.
+/// A point of a surface, seen from straight above.
 pub fn point(position: Vec3, normal: Vec3) -> PointRecord {
     let (position, normal) = (position.to_array(), normal.to_array());
-    PointRecord { position, surface: 0, normal, depth: 0.0 }
+    PointRecord { position, surface: 0, normal, depth: 0.0 }.seen_from(normal)
 }
 
 /// A diffuse VPL.
