@@ -54,20 +54,22 @@ impl Literals {
         if !scene.spheres.is_empty() || cut {
             return None;
         }
-        let lights: Vec<Vec3> = scene.point_lights.iter().map(|light| light.position).collect();
+        let lights = scene.point_lights.iter().map(|light| light.position);
+        // Where rays start and end is on the ray that found the place: at an edge, outside.
+        let places: Vec<Vec3> = lights.chain([scene.camera.position]).collect();
         let far = scene.environment.is_some() || !scene.directional_lights.is_empty();
-        Self::of_triangles(&bvh.triangles, &lights, far)
+        Self::of_triangles(&bvh.triangles, &places, far)
     }
 
-    /// Those of triangles, if they are few. Shadow rays go between places on them, and the lights'
-    /// if they are elsewhere; `far` is whether some go out of the scene.
-    pub fn of_triangles(triangles: &[TriangleRecord], lights: &[Vec3], far: bool) -> Option<Self> {
+    /// Those of triangles, if they are few. Shadow rays go between places on them, and others where
+    /// lights and the camera are; `far` is whether some go out of the scene.
+    pub fn of_triangles(triangles: &[TriangleRecord], others: &[Vec3], far: bool) -> Option<Self> {
         let distinct = by_index(triangles);
         if distinct.len() > Self::MOST_TRIANGLES {
             return None;
         }
         let corners = distinct.iter().flat_map(|(_, record)| corners(record));
-        let places: Vec<_> = corners.chain(lights.iter().map(|light| light.as_dvec3())).collect();
+        let places: Vec<_> = corners.chain(others.iter().map(|other| other.as_dvec3())).collect();
         let blockers = triangles.iter().filter(|record| far || !bounds(record, &places));
         let blockers: Vec<_> = blockers.copied().collect();
         Some(Self {
