@@ -33,9 +33,10 @@ fn plane(ray: Ray, normal: vec3f, height: f32) -> f32 {
     return select(-1.0, (height - dot(normal, ray.origin)) / speed, speed != 0.0);
 }
 
-// Triangles come by index, so that of those at the same t the lowest stays.
+// Triangles come by index, so that of those at the same t the lowest stays. u, v and w are the volumes
+// over the lengths of the edges.
 // What may be 0 counts as of either side, but not from the triangle's own plane: see `intersect` in
-// ray.wgsl. `edge` is its longest.
+// ray.wgsl.
 fn nearer(
     met: Met,
     at: f32,
@@ -43,20 +44,23 @@ fn nearer(
     v: f32,
     w: f32,
     slack: f32,
-    edge: f32,
+    lengths: vec3f,
+    area: f32,
     triangle: u32,
 ) -> Met {
     let least = min(u, min(v, w));
     let most = max(u, max(v, w));
-    let sum = u + v + w;
+    let volumes = vec3f(u, v, w) * lengths;
+    let sum = volumes.x + volumes.y + volumes.z;
     let strict = least >= 0.0 || most <= 0.0;
-    let may_be = (least >= -slack || most <= slack) && abs(at * sum) > slack * edge;
+    // The sum is twice the area times the speed towards the plane; twice the slack is far from it.
+    let may_be = (least >= -slack || most <= slack) && abs(at * sum) > 4.0 * area * slack;
     let t = select(at * BEYOND, at, strict);
     let is = (strict || may_be) && sum != 0.0 && t > 0.0 && t < met.t;
     return Met(
         select(met.t, t, is),
         select(met.triangle, triangle, is),
-        select(met.volumes, vec3f(u, v, w), is),
+        select(met.volumes, volumes, is),
     );
 }
 

@@ -38,7 +38,8 @@ fn nearer(
     v: vec4f,
     w: vec4f,
     slack: vec4f,
-    longest_edge: f32,
+    lengths: vec3f,
+    area: f32,
     triangle: u32,
 ) -> Met {
     let one_side = (min(u, min(v, w)) >= -slack) | (max(u, max(v, w)) <= slack);

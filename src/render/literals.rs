@@ -144,25 +144,24 @@ impl Text {
         let height = normal.dot(a) as f32;
         let plane = self.value(format!("plane(ray, {}, {height:?})", Literal(normal)));
         let [u, v, w] = [(b, c), (c, a), (a, b)].map(|(from, to)| self.edge(from, to));
-        // What the rounding of the volumes is relative to: the edges, and the farthest corner where
-        // that is beyond the bounds of a scene.
-        let edges = [b - c, c - a, a - b].map(|edge| edge.abs().max_element());
+        // What the rounding of the volumes is relative to where it is beyond the bounds of a scene.
         let farthest = [a, b, c].map(|corner| corner.abs().max_element());
-        let largest = |of: [f64; 3]| of.into_iter().fold(0.0, f64::max);
-        let longest = largest(edges) as f32;
-        let size = (largest(edges) * largest(farthest).max(1.0)) as f32;
+        let farthest = farthest.into_iter().fold(1.0, f64::max) as f32;
+        let lengths = Literal(DVec3::new(b.distance(c), c.distance(a), a.distance(b)));
+        let area = 0.5 * (b - a).cross(c - a).length() as f32;
         // Writing to a string does not fail.
         let _ = writeln!(
             self.lines,
-            "    met = nearer(met, v{plane}, {u}, {v}, {w}, ray.slack * {size:?}, {longest:?}, {at}u);"
+            "    met = nearer(met, v{plane}, {u}, {v}, {w}, ray.slack * {farthest:?}, {lengths}, {area:?}, {at}u);"
         );
     }
 
-    /// The volume of an edge, which is the opposite in the other direction.
+    /// The volume of an edge over its length, which is the opposite in the other direction.
     fn edge(&mut self, from: DVec3, to: DVec3) -> String {
         let turned = from.to_array() > to.to_array();
         let (low, high) = if turned { (to, from) } else { (from, to) };
-        let (direction, moment) = (Literal(high - low), Literal(low.cross(high)));
+        let along = (high - low).normalize();
+        let (direction, moment) = (Literal(along), Literal(low.cross(along)));
         let name = self.value(format!("edge(ray, {direction}, {moment})"));
         format!("{}v{name}", if turned { "-" } else { "" })
     }
