@@ -5,6 +5,7 @@
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.rows { return; }
     let point = points[params.first_point + id.x];
+    let end = ray_end(point, params.offset);
     let word = params.first_word + id.y;
     var seen = 0u;
     var rays = 0u;
@@ -19,7 +20,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         if dot(between, point.normal) >= 0.0 || facing(between, vpl.normal) <= 0.0 { continue; }
         rays++;
         let origin = vpl.position + params.offset * vpl.normal;
-        let end = ray_end(point, params.offset);
         let hit = traverse(origin, end - origin, 1.0, params.nodes, true, 0u);
         if hit.triangle == NOTHING { seen |= 1u << i; }
     }
