@@ -3,7 +3,7 @@
 //!
 //! A traversal needs no stack: it goes to the next node where a box is hit, else to the
 //! node's skip pointer (Smits, "Efficiency Issues for Ray Tracing", 1998). The WGSL twin is
-//! `shaders/traverse.wgsl`; a test holds the two against each other.
+//! `shaders/trace/traverse.wgsl`; a test holds the two against each other.
 
 mod quality;
 mod shape;

@@ -81,15 +81,22 @@ fn every_module_is_used_by_some_program() {
     }
 }
 
+/// The files of a folder of `shaders/`, as the catalogue names them.
+fn files_of(folder: &Path) -> Vec<String> {
+    let name = |path: &Path| path.file_stem().expect("a name").to_string_lossy().into_owned();
+    let files = fs::read_dir(folder).expect("a folder of shaders");
+    let paths = files.map(|file| file.expect("a file").path());
+    let shaders = paths.filter(|path| path.extension().is_some_and(|is| is == "wgsl"));
+    shaders.map(|path| format!("{}/{}", name(folder), name(&path))).collect()
+}
+
 #[test]
 fn every_shader_file_is_in_the_catalogue() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders");
-    let files: BTreeSet<String> = fs::read_dir(folder)
-        .expect("the folder of the shaders")
-        .map(|entry| entry.expect("a file").file_name().to_string_lossy().into_owned())
-        .collect();
-    let known: BTreeSet<String> =
-        CATALOGUE.iter().map(|module| format!("{}.wgsl", module.name)).collect();
+    let all = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders");
+    let folders = fs::read_dir(all).expect("the folder of the shaders");
+    let folders = folders.map(|entry| entry.expect("a folder").path()).filter(|path| path.is_dir());
+    let files: BTreeSet<String> = folders.flat_map(|folder| files_of(&folder)).collect();
+    let known: BTreeSet<String> = CATALOGUE.iter().map(|module| module.name.to_owned()).collect();
     assert_eq!(known.len(), CATALOGUE.len(), "a module is named twice");
     assert_eq!(files, known);
 }

@@ -1,5 +1,5 @@
-//! What rays hit: triangles and spheres, perhaps with holes. The twin of `shaders/shape_any.wgsl`
-//! and `shaders/opaque_cutout.wgsl`.
+//! What rays hit: triangles and spheres, perhaps with holes. The twin of `shaders/trace/shape_any.wgsl`
+//! and `shaders/trace/opaque_cutout.wgsl`.
 
 use glam::{Vec2, Vec3};
 

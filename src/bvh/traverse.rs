@@ -1,4 +1,4 @@
-//! The host's traversal: the twin of `shaders/traverse.wgsl`, line by line.
+//! The host's traversal: the twin of `shaders/trace/traverse.wgsl`, line by line.
 
 use glam::Vec3;
 

@@ -126,7 +126,7 @@ pub fn develop(tile: Tile, film: &[[f32; 4]], weight: f32, image: &mut Image) ->
     hits
 }
 
-/// The pixel of a point; the twin of `pixel_of` in `shaders/pixels.wgsl`.
+/// The pixel of a point; the twin of `pixel_of` in `shaders/common/pixels.wgsl`.
 pub fn pixel_of(point: u32, first_block: u32, width: u32) -> [u32; 2] {
     let across = width.div_ceil(8);
     let block = first_block + point / BLOCK;

@@ -52,7 +52,7 @@ impl Subsets {
     }
 
     /// The point at a place in the order of subsets; none for no pixel. The twin of
-    /// `shaders/separate.wgsl`.
+    /// `shaders/gather/split_subsets.wgsl`.
     fn point_at(&self, place: u32) -> Option<u32> {
         let subsets = self.s * self.s;
         let class = (place / self.points + subsets - self.rotation) % subsets;

@@ -1,5 +1,5 @@
-//! How surfaces scatter light, on the host: the twin of `shaders/scatter_phong.wgsl` and
-//! `shaders/turn.wgsl`.
+//! How surfaces scatter light, on the host: the twin of `shaders/materials/scatter_phong.wgsl` and
+//! `shaders/materials/specular_sample.wgsl`.
 
 use std::f32::consts::PI;
 

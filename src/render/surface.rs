@@ -1,5 +1,5 @@
 //! What a ray on the host has hit, and where others start there: the twin of
-//! `shaders/hit_point.wgsl` and `shaders/way_back.wgsl`.
+//! `shaders/trace/hit_point.wgsl` and `shaders/trace/ray_offset.wgsl`.
 
 use glam::Vec3;
 
@@ -7,7 +7,7 @@ use crate::bvh::{Hit, Ray};
 use crate::sampling::SURFACE_OFFSET;
 use crate::scene::{Scene, texture};
 
-/// As in `shaders/way_back.wgsl`.
+/// As in `shaders/trace/ray_offset.wgsl`.
 const MOST_ALONG: f32 = 1000.0;
 const MOST_OF_RAY: f32 = 0.5;
 const BEHIND: f32 = 0.25;
@@ -97,7 +97,7 @@ fn textured(scene: &Scene, used: Option<u32>, hit: &Hit) -> Vec3 {
 }
 
 /// What the radiance of an emitting triangle is multiplied by at a place. The twin of
-/// `shaders/light_textured.wgsl`.
+/// `shaders/lights/light_scale_textured.wgsl`.
 pub fn light_glow(scene: &Scene, triangle: u32, weights: [f32; 3]) -> Vec3 {
     let material = &scene.materials[scene.triangles[triangle as usize].material as usize];
     let uv = || texture::on_triangle(scene.uvs[triangle as usize], weights);

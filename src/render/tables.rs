@@ -142,7 +142,7 @@ pub fn bytes(plan: &Plan) -> Vec<(&'static str, u64)> {
     tables
 }
 
-/// The triangle of each area light, and its textures: see `shaders/light_textured.wgsl`.
+/// The triangle of each area light, and its textures: see `shaders/lights/light_scale_textured.wgsl`.
 fn light_textures(scene: &Scene) -> Vec<[u32; 4]> {
     let of_light = |triangle: u32| {
         let material = &scene.materials[scene.triangles[triangle as usize].material as usize];

@@ -38,7 +38,7 @@ impl Environment {
     }
 
     /// The radiance that comes from a direction, of unit length: that of the texel. The twin of
-    /// `background` in `shaders/environment_image.wgsl`.
+    /// `background` in `shaders/lights/environment_image.wgsl`.
     pub fn from_direction(&self, direction: Vec3) -> Vec3 {
         self.radiance * self.image.as_ref().map_or(Vec3::ONE, |image| image.at(place(direction)))
     }

@@ -67,7 +67,7 @@ impl Texture {
     }
 
     /// Colour in linear light and alpha, interpolated between the four nearest texels. The twin
-    /// of `sample_texture` in `shaders/texture.wgsl`.
+    /// of `sample_texture` in `shaders/materials/texture.wgsl`.
     pub fn sample(&self, images: &[Texels], uv: Vec2) -> Vec4 {
         let image = &images[self.image as usize];
         let [width, height] = image.size;

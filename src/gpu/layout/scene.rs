@@ -114,7 +114,7 @@ impl PointRecord {
     /// [`PointRecord::surface`] of a camera ray that hit nothing.
     pub const NOTHING: u32 = u32::MAX;
 
-    /// The same, seen from this direction: the twin of `with_view` in `shaders/view_kept.wgsl`.
+    /// The same, seen from this direction: the twin of `with_view` in `shaders/camera/view_direction.wgsl`.
     pub fn seen_from(self, view: [f32; 3]) -> Self {
         let sum = view.map(f32::abs).iter().sum::<f32>();
         let [x, y, z] = view.map(|value| value / sum);

@@ -53,7 +53,7 @@ impl EnvironmentLight {
         Some(Self { radiance, cells, power: all * PI * f64::from(bounds.radius).powi(2) })
     }
 
-    /// The words that the device reads: see `shaders/environment_image.wgsl`.
+    /// The words that the device reads: see `shaders/lights/environment_image.wgsl`.
     pub fn words(&self) -> Vec<u32> {
         let mut words: Vec<u32> = self.radiance.to_array().map(f32::to_bits).to_vec();
         let Some(cells) = &self.cells else { return words };

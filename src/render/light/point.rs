@@ -61,7 +61,7 @@ pub fn start_of_spot(light: &SpotLightRecord, [_, _, u, v]: [f32; 4]) -> Start {
 }
 
 impl SpotLightRecord {
-    /// The intensity in a unit direction. The twin of the function in `shaders/spot_light.wgsl`.
+    /// The intensity in a unit direction. The twin of the function in `shaders/lights/spot_light.wgsl`.
     pub fn intensity_towards(&self, direction: Vec3) -> Vec3 {
         let cosine = direction.dot(Vec3::from_array(self.axis));
         let ramp = ((cosine - self.cos_outer) * self.slope).clamp(0.0, 1.0);
