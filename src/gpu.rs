@@ -24,7 +24,7 @@ pub use layout::{
     VisibilityParams, VplRecord,
 };
 pub use pass::{Bindings, Pass};
-pub use shader::{CATALOGUE, Linked, Module, Program, module};
+pub use shader::{Linked, Module, Program};
 pub use timer::PassTime;
 
 /// How long one submission may take before the device counts as hung. Dispatches are sized

@@ -5,8 +5,9 @@
 
 use std::collections::BTreeSet;
 
-use gpu_vpl::gpu::{AdapterChoice, CATALOGUE, Gpu, Program};
+use gpu_vpl::gpu::{AdapterChoice, Gpu, Program};
 use gpu_vpl::image::Image;
+use gpu_vpl::render::kernels::CATALOGUE;
 use gpu_vpl::render::kernels::{features_of, features_without};
 use gpu_vpl::render::{Method, Plan, Prepared, Settings, frame};
 use gpu_vpl::scene::Scene;

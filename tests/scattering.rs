@@ -10,12 +10,12 @@ use std::f64::consts::{PI, TAU};
 use bytemuck::{Pod, Zeroable};
 use common::{Rng, open_gpu};
 use glam::Vec3;
-use gpu_vpl::gpu::module::{
+use gpu_vpl::gpu::{Module, Pass, Program};
+use gpu_vpl::render::kernels::catalogue::{
     FINISH, GATHERED_PHONG, GLASS, HEMISPHERE, LOBE_ENERGY, LOBES_PHONG, MIRROR, PHONG,
     SCATTER_PHONG, TURN, TURN_EITHER, TYPES, VIEW_KEPT,
 };
-use gpu_vpl::gpu::{Module, Pass, Program};
-use gpu_vpl::render::scatter::{Carried, Place, finish_record, fresnel, gloss, turn};
+use gpu_vpl::render::materials::bsdf::{Carried, Place, finish_record, fresnel, gloss, turn};
 use gpu_vpl::sampling::{cosine_hemisphere, uniform_sphere};
 use gpu_vpl::scene::{Finish, Material};
 

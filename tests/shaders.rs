@@ -6,8 +6,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use gpu_vpl::gpu::module::HIT_POINT;
-use gpu_vpl::gpu::{AdapterChoice, CATALOGUE, Gpu, Linked, Module, Program};
+use gpu_vpl::gpu::{AdapterChoice, Gpu, Linked, Module, Program};
+use gpu_vpl::render::kernels::CATALOGUE;
+use gpu_vpl::render::kernels::catalogue::HIT_POINT;
 use gpu_vpl::render::{Features, Prepared, Settings, Target, all_programs, kernels};
 use gpu_vpl::scene::Scene;
 use naga::compact::{KeepUnused, compact};

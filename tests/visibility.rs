@@ -9,7 +9,7 @@ use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
 use gpu_vpl::gpu::{PointRecord, VplRecord};
 use gpu_vpl::render::kernels::Tracing;
-use gpu_vpl::render::literals::Literals;
+use gpu_vpl::render::kernels::literals::Literals;
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::Triangle;
 use gpu_vpl::study::extremes::checks::gather::{point, vpl};

@@ -6,15 +6,16 @@
 //! one ray a path, and between passes the paths that have ended leave the queue.
 
 mod estimate;
-pub(super) mod stages;
-pub(super) mod vertices;
+pub mod stages;
+pub mod vertices;
 
 use std::time::{Duration, Instant};
 
-use super::camera_rays::camera_params;
-use super::film::{BLOCK, blank};
+use super::camera::{BLOCK, blank, camera_params};
+use super::prepared::Prepared;
+use super::result::{Counts, Frame, Phases, Progress};
+use super::settings::{Bounces, Direct, Settings};
 use super::visibility::dispatch_rays;
-use super::{Bounces, Counts, Direct, Frame, Phases, Prepared, Progress, Settings};
 use crate::gpu::{CameraParams, GpuError, PathParams, PathSum};
 use crate::sampling::SURFACE_OFFSET;
 use crate::scene::Camera;
@@ -213,7 +214,7 @@ impl<'a> PathTracer<'a> {
 }
 
 /// Parameters of paths of which nothing is known yet; they find no light.
-pub(super) fn path_params(prepared: &Prepared) -> PathParams {
+pub fn path_params(prepared: &Prepared) -> PathParams {
     PathParams {
         nodes: prepared.bvh.nodes.len() as u32,
         offset: SURFACE_OFFSET,
@@ -222,7 +223,7 @@ pub(super) fn path_params(prepared: &Prepared) -> PathParams {
 }
 
 /// Paths of which the next segment counts the light that it happens upon.
-pub(super) fn finding_light(prepared: &Prepared, params: PathParams) -> PathParams {
+pub fn finding_light(prepared: &Prepared, params: PathParams) -> PathParams {
     PathParams {
         light_density: prepared.lights.area_density(),
         solid_density: prepared.lights.solid_density(),
@@ -232,7 +233,7 @@ pub(super) fn finding_light(prepared: &Prepared, params: PathParams) -> PathPara
 }
 
 /// Whether there is light that the next segment may happen upon, and that counts.
-pub(super) fn finds_light(params: &PathParams) -> bool {
+pub fn finds_light(params: &PathParams) -> bool {
     params.light_density.max(params.solid_density).max(params.background) > 0.0
 }
 
@@ -254,7 +255,7 @@ mod tests {
     use super::*;
     use crate::gpu::{AdapterChoice, Gpu};
     use crate::image::Image;
-    use crate::render::Method;
+    use crate::render::settings::Method;
     use crate::scene::Scene;
 
     #[test]

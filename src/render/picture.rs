@@ -4,9 +4,10 @@
 
 use glam::Vec3;
 
-use super::film::pixel_of;
-use super::gathers::Clustered;
-use super::{Prepared, VirtualLight};
+use super::camera::pixel_of;
+use super::frame::ClusteredPoints;
+use super::plan::Plan;
+use super::virtual_light::VirtualLight;
 use crate::bvh::Ray;
 use crate::gpu::PointRecord;
 use crate::image::Image;
@@ -17,7 +18,7 @@ const GREEN: [f32; 3] = [0.0, 0.8, 0.0];
 const BLUE: [f32; 3] = [0.02, 0.08, 1.0];
 
 /// Paints each pixel in the colour of its first sample's cluster, and the representatives.
-pub fn point_clusters(clustered: &Clustered, image: &mut Image) {
+pub fn point_clusters(clustered: &ClusteredPoints, image: &mut Image) {
     let clusters = &clustered.clusters;
     let mut marks = Vec::new();
     for tile in clustered.tiling.tiles().filter(|tile| tile.sample == 0) {
@@ -43,13 +44,13 @@ pub fn point_clusters(clustered: &Clustered, image: &mut Image) {
 
 /// Paints the lights that the camera sees as dots of a radius in pixels.
 pub fn lights(
-    prepared: &Prepared,
+    plan: &Plan,
     camera: &Camera,
     lights: &[VirtualLight],
     radius: f32,
     image: &mut Image,
 ) {
-    for light in lights.iter().filter(|light| is_seen(prepared, camera, light.position)) {
+    for light in lights.iter().filter(|light| is_seen(plan, camera, light.position)) {
         if let Some([x, y]) = project(camera, light.position) {
             dot(image, x, y, radius, BLUE);
         }
@@ -75,10 +76,10 @@ fn project(camera: &Camera, position: Vec3) -> Option<[f32; 2]> {
     })
 }
 
-fn is_seen(prepared: &Prepared, camera: &Camera, position: Vec3) -> bool {
+fn is_seen(plan: &Plan, camera: &Camera, position: Vec3) -> bool {
     let view = position - camera.position;
     let limit = 1.0 - 16.0 * SURFACE_OFFSET / view.length();
-    !prepared.bvh.occluded(&Ray { origin: camera.position, direction: view, limit })
+    !plan.bvh.occluded(&Ray { origin: camera.position, direction: view, limit })
 }
 
 fn dot(image: &mut Image, x: f32, y: f32, radius: f32, colour: [f32; 3]) {

@@ -1,11 +1,16 @@
 //! What is known of a scene before there is a device: its hierarchy, its lights, and so the
 //! programs that it needs.
 
+pub mod memory;
+mod programs;
+
 use std::time::{Duration, Instant};
 
-use super::kernels::{self, Tracing};
-use super::literals::Literals;
-use super::{Features, LightKind, Lights, Settings, Sky, Target, tables};
+use super::features::{Features, Sky, Target};
+use super::kernels::Tracing;
+use super::kernels::literals::Literals;
+use super::lights::{LightKind, Lights};
+use super::settings::Settings;
 use crate::bvh::Bvh;
 use crate::gpu::Program;
 use crate::scene::Scene;
@@ -24,7 +29,7 @@ pub struct Plan {
     /// Time spent on building the BVH.
     pub bvh_time: Duration,
     /// Whether area lights are near to surfaces.
-    pub(super) near_lights: bool,
+    near_lights: bool,
     subgroups: bool,
     literals: Option<Literals>,
     /// Whether what the scene does not need is linked, too.
@@ -84,13 +89,13 @@ impl Plan {
     }
 
     /// The kinds of lights that programs are linked for.
-    pub(super) fn kinds(&self) -> impl Iterator<Item = LightKind> + '_ {
+    pub fn kinds(&self) -> impl Iterator<Item = LightKind> + '_ {
         let is = |kind: &LightKind| self.everything || self.lights.count(*kind) > 0;
         LightKind::ALL.into_iter().filter(is)
     }
 
     /// The kinds of lights that have a table on the device.
-    pub(super) fn kinds_with_tables(&self) -> impl Iterator<Item = LightKind> + '_ {
+    pub fn kinds_with_tables(&self) -> impl Iterator<Item = LightKind> + '_ {
         let is = |kind: &LightKind| match kind {
             LightKind::Environment => self.features.sky.shines(),
             _ => self.lights.count(*kind) > 0,
@@ -99,26 +104,20 @@ impl Plan {
     }
 
     /// A program with what is written for the scene.
-    pub(super) fn complete(&self, program: Program) -> Program {
+    pub fn complete(&self, program: Program) -> Program {
         match &self.literals {
             Some(literals) => literals.complete(program),
             None => program,
         }
     }
 
-    /// The programs that frames with these settings run.
-    pub fn programs(&self, settings: &Settings) -> Vec<Program> {
-        let needed = kernels::needed(self, settings).into_iter();
-        needed.map(|program| self.complete(program)).collect()
-    }
-
     /// How shadow rays between points and VPLs are traced.
     pub fn tracing(&self) -> Tracing {
-        Tracing::of(self)
+        Tracing::of(self.target(), self.bvh.nodes.len())
     }
 
     /// The tables that the device holds of the scene, and their sizes in bytes.
     pub fn tables(&self) -> Vec<(&'static str, u64)> {
-        tables::bytes(self)
+        memory::tables(&self.scene, &self.bvh, &self.lights, self.features)
     }
 }

@@ -2,7 +2,6 @@
 
 mod clustering;
 
-use super::kernels::Sharing;
 pub use clustering::{Clustering, Merge, Representative};
 
 /// What the image shows.
@@ -130,6 +129,17 @@ pub enum Clamp {
     At(f64),
     /// None.
     Off,
+}
+
+/// Whose row of the bit matrix a point reads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sharing {
+    /// Its own.
+    Own,
+    /// That of its cluster.
+    Cluster,
+    /// Those of the nearest clusters, weighted.
+    Fuzzy,
 }
 
 /// All that a frame depends on beside scene, camera and seed.

@@ -9,12 +9,11 @@ use std::f64::consts::PI;
 use common::{Build, Rng, frame, gpu, open_gpu, render_scene};
 use glam::{DVec3, Vec2, Vec3, Vec4, dvec3};
 use gpu_vpl::bvh::Bvh;
-use gpu_vpl::gpu::module::{TEXTURE, TYPES};
 use gpu_vpl::gpu::{Module, Pass, Program};
 use gpu_vpl::image::Image;
-use gpu_vpl::render::{
-    Clamp, Clustering, Features, Method, Prepared, Settings, light_paths, tables,
-};
+use gpu_vpl::render::kernels::catalogue::{TEXTURE, TYPES};
+use gpu_vpl::render::prepared::tables;
+use gpu_vpl::render::{Clamp, Clustering, Features, Method, Prepared, Settings, light_paths};
 use gpu_vpl::scene::{Scene, Texels, Texture, Wrap, texture};
 
 static SAMPLE: Module =

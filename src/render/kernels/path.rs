@@ -1,39 +1,35 @@
 //! The programs of the path tracer.
 
-use super::{Plan, camera_rays, follow, has_kind, kept, lights_of, sky, surfaces};
-use crate::gpu::module::{
+use super::camera::{camera_rays, follow, kept_points};
+use super::catalogue::{
     BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
-    FINISH, GATHERED_PHONG, HEMISPHERE, LOBE_ENERGY, LOBES_PHONG, MIS, NO_ROULETTE, PATH,
-    PATH_BACK, PATH_BACKGROUND, PATH_BACKGROUND_WEIGHTED, PATH_CAMERA, PATH_COMPACT, PATH_COUNT,
-    PATH_EMISSION, PATH_EMISSION_ANY, PATH_EXACT, PATH_FOLLOW, PATH_FOUND, PATH_LIGHT,
-    PATH_NO_BACKGROUND, PATH_NO_EMISSION, PATH_RANDOM, PATH_SAMPLED, PATH_SEGMENT, PATH_STATE,
-    PATH_SUM, PHONG, ROULETTE, SAMPLING, SCATTER_DIFFUSE, SCATTER_PHONG, SPHERE_CONE,
+    HEMISPHERE, MIS, NO_ROULETTE, PATH, PATH_BACK, PATH_BACKGROUND, PATH_BACKGROUND_WEIGHTED,
+    PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_EMISSION_ANY, PATH_EXACT,
+    PATH_FOLLOW, PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND, PATH_NO_EMISSION, PATH_RANDOM,
+    PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, ROULETTE, SAMPLING, SPHERE_CONE,
     THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_KEPT, WAY_BACK,
 };
+use super::lights::{has_kind, lights_of, sky};
+use super::materials::{albedo, glow, keep, scatter};
+use super::trace::rays;
 use crate::gpu::{Module, Program};
-use crate::render::{Bounces, Direct, LightKind, Settings, Sky, Target};
+use crate::render::features::{Sky, Target};
+use crate::render::lights::LightKind;
+use crate::render::settings::{Bounces, Direct, Settings};
 
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
-    let mut modules = camera_rays(target, &kept(target.features));
+    let mut modules = camera_rays(target, &kept_points(target.features));
     modules.extend([&WAY_BACK, &VIEW_KEPT, &PATH_STATE, &PATH_CAMERA]);
     Program::new("paths, camera", modules)
 }
 
 /// What passes at the vertices of paths share, and how surfaces scatter light there.
-pub(super) fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
+pub fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
     let first = [&TYPES, &SAMPLING, &HEMISPHERE, &VIEW_KEPT];
-    let rays = surfaces::rays(target);
-    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, surfaces::albedo(target.features)];
+    let rays = rays(target);
+    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, albedo(target.features)];
     [&first[..], &rays, &path, &scatter(target), last].concat()
-}
-
-/// How surfaces scatter light.
-fn scatter(target: Target) -> Vec<&'static Module> {
-    match target.features.phong {
-        true => vec![&GATHERED_PHONG, &FINISH, &PHONG, &LOBE_ENERGY, &LOBES_PHONG, &SCATTER_PHONG],
-        false => vec![&SCATTER_DIFFUSE],
-    }
 }
 
 /// What paths see that is emitted towards the camera.
@@ -42,7 +38,7 @@ pub fn emit(target: Target) -> Program {
         true => &[&PATH_STATE, &THROUGHPUT_PATH],
         false => &[&THROUGHPUT_NONE],
     };
-    let last = [surfaces::glow(target.features), &EMIT];
+    let last = [glow(target.features), &EMIT];
     Program::new("emission", [&[&TYPES], throughput, &last].concat())
 }
 
@@ -53,11 +49,7 @@ pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
 }
 
 /// The same with what tells how much of the light paths bring back.
-pub(super) fn next_event_by(
-    target: Target,
-    kind: LightKind,
-    back: &[&'static Module],
-) -> Option<Program> {
+pub fn next_event_by(target: Target, kind: LightKind, back: &[&'static Module]) -> Option<Program> {
     // What shines evenly from everywhere is found by the next segment alone.
     let even = kind == LightKind::Environment && target.features.sky != Sky::Image;
     if even || !has_kind(target, kind) {
@@ -87,11 +79,11 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
 }
 
 /// How segments of paths go on and end, and what light they happen upon.
-pub(super) fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static Module> {
+pub fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static Module> {
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
     let mut last = follow(target);
-    last.extend([&WAY_BACK, &PATH_FOLLOW, survival, surfaces::glow(target.features)]);
-    last.extend(surfaces::keep(target.features));
+    last.extend([&WAY_BACK, &PATH_FOLLOW, survival, glow(target.features)]);
+    last.extend(keep(target.features));
     let sky = target.features.sky;
     if areas || sky.shines() {
         last.push(&PATH_FOUND);
@@ -134,20 +126,8 @@ pub fn seeks_light(settings: &Settings) -> bool {
     settings.direct != Direct::Off || settings.bounces != Bounces::Finite(0)
 }
 
-/// Whether paths go beyond the visible point: to bounce, or to happen upon lights.
-pub fn has_segments(plan: &Plan, settings: &Settings) -> bool {
-    let happens = plan.lights.have_surfaces() || plan.features.sky.shines();
-    settings.bounces != Bounces::Finite(0) || (happens && settings.direct != Direct::Off)
-}
-
-/// What paths see that is emitted towards the camera, in a scene.
-pub fn emitted(plan: &Plan) -> Vec<Program> {
-    let (target, areas) = (plan.target(), plan.lights.have_surfaces());
-    areas.then(|| emit(target)).into_iter().chain(background(target)).collect()
-}
-
 /// What paths see of the environment.
-fn background(target: Target) -> Option<Program> {
+pub fn background(target: Target) -> Option<Program> {
     let mut modules = vec![&TYPES];
     modules.extend(sky(target)?);
     match target.features.specular() {
@@ -157,22 +137,8 @@ fn background(target: Target) -> Option<Program> {
     Some(Program::new("background", modules))
 }
 
-/// What a scene and settings need.
-pub(super) fn needed(plan: &Plan, settings: &Settings) -> Vec<Program> {
-    let target = plan.target();
-    let areas = plan.lights.have_surfaces();
-    let mut programs = vec![camera(target), count(), compact(), sum()];
-    programs.extend(emitted(plan));
-    if seeks_light(settings) {
-        programs.extend(plan.kinds().filter_map(|kind| next_event(target, kind)));
-    }
-    let segments = has_segments(plan, settings);
-    programs.extend(segments.then(|| segment(target, settings.bounces, areas)));
-    programs
-}
-
 /// Every program of paths that traces rays.
-pub(super) fn all(target: Target) -> Vec<Program> {
+pub fn all(target: Target) -> Vec<Program> {
     let mut programs = vec![camera(target), emit(target)];
     programs.extend(background(target));
     programs.extend(LightKind::ALL.into_iter().filter_map(|kind| next_event(target, kind)));
@@ -184,6 +150,6 @@ pub(super) fn all(target: Target) -> Vec<Program> {
 }
 
 /// The programs of paths that are the same for every scene.
-pub(super) fn common() -> Vec<Program> {
+pub fn common() -> Vec<Program> {
     vec![count(), compact(), sum()]
 }

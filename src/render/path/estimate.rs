@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::gpu::PathSum;
 use crate::image::Image;
-use crate::render::film::pixel_of;
+use crate::render::camera::pixel_of;
 
 /// Running mean and spread of the pixels of a tile, in f64: thousands of samples lose nothing.
 #[derive(Debug, Clone)]

@@ -3,8 +3,10 @@
 use super::vertices::{Queue, Vertices};
 use crate::gpu::{CameraParams, GpuError, PathParams, PathSum, Program};
 use crate::render::kernels::path as programs;
-use crate::render::stages::{Named, Stage};
-use crate::render::{LightKind, Prepared, Settings};
+use crate::render::lights::LightKind;
+use crate::render::prepared::Prepared;
+use crate::render::settings::Settings;
+use crate::render::stage::{Named, Stage};
 
 /// The passes.
 #[derive(Debug)]
@@ -48,9 +50,10 @@ impl Stages {
             false => Vec::new(),
         };
         let areas = prepared.lights.have_surfaces();
-        let emit = programs::emitted(prepared).into_iter().map(bind);
+        let emit = prepared.path_emission_programs().into_iter().map(bind);
         let emit = emit.collect::<Result<_, GpuError>>()?;
-        let segment = programs::has_segments(prepared, settings)
+        let segment = prepared
+            .has_segments(settings)
             .then(|| bind(programs::segment(target, settings.bounces, areas)));
         Ok(Self {
             camera: bind(programs::camera(target))?,

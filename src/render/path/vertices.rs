@@ -1,9 +1,10 @@
 //! The vertices of a wave of paths, and the queue of those that go on.
 
 use crate::gpu::{GpuError, PathParams, PathRecord, PointRecord};
-use crate::render::Prepared;
+use crate::render::camera::{Attribute, attributes};
 use crate::render::kernels::path as programs;
-use crate::render::stages::{Kept, Named, Stage, keep};
+use crate::render::prepared::Prepared;
+use crate::render::stage::{Named, Stage};
 
 /// Paths of a run of the queue that counts its survivors.
 const RUN: u32 = 64;
@@ -14,7 +15,7 @@ pub struct Vertices {
     /// Where the paths are.
     pub points: wgpu::Buffer,
     /// What else is known of those places.
-    pub kept: Vec<Kept>,
+    pub attributes: Vec<Attribute>,
     /// What the paths have found; in w, how many shadow rays they took.
     pub radiance: wgpu::Buffer,
     states: wgpu::Buffer,
@@ -31,7 +32,7 @@ impl Vertices {
         let gpu = &prepared.gpu;
         Ok(Self {
             points: gpu.storage::<PointRecord>("vertices", paths)?,
-            kept: keep(gpu, prepared.features, paths)?,
+            attributes: attributes(gpu, prepared.features, paths)?,
             radiance: gpu.storage::<[f32; 4]>("radiance", paths)?,
             states: gpu.storage::<PathRecord>("paths", paths)?,
             queue: gpu.storage::<u32>("queue", paths)?,
@@ -48,8 +49,8 @@ impl Vertices {
             ("queue", &self.queue),
             ("survivors", &self.survivors),
         ];
-        let tables = prepared.tables.iter().chain(&self.kept).map(|(name, of)| (*name, of));
-        own.into_iter().chain(tables).chain(prepared.environment()).collect()
+        let attributes = self.attributes.iter().map(|(name, buffer)| (*name, buffer));
+        own.into_iter().chain(attributes).chain(prepared.named()).collect()
     }
 }
 

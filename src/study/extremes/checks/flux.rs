@@ -90,7 +90,7 @@ pub fn kept(_: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
     }
     let scene = closed_box(albedo, [0.02, 0.9, 1.0])?;
     let vpls = trace(&scene, paths / 4, BOUNCES);
-    let lights: Vec<_> = vpls.iter().map(|vpl| VirtualLight::of(vpl, &scene)).collect();
+    let lights: Vec<_> = vpls.iter().map(|vpl| vpl.light(&scene)).collect();
     let sum = |lights: &[VirtualLight]| -> DVec3 {
         lights.iter().map(|light| light.intensity.as_dvec3()).sum()
     };

@@ -4,8 +4,9 @@ use bytemuck::Zeroable;
 use glam::Vec3;
 
 use crate::gpu::{Gpu, GpuError, Pass, PointRecord, ShadeParams, VplRecord};
+use crate::render::Sharing;
 use crate::render::Target;
-use crate::render::kernels::{Emitter, Sharing, shade};
+use crate::render::kernels::{Emitter, shade};
 
 /// A point of a surface, seen from straight above.
 pub fn point(position: Vec3, normal: Vec3) -> PointRecord {

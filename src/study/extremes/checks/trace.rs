@@ -5,14 +5,14 @@ use std::sync::Arc;
 use bytemuck::{Pod, Zeroable};
 
 use crate::bvh::{Bvh, Ray};
-use crate::gpu::module::{
-    CORNERS, LITERAL_RAY, RAY, SHAPE_TRIANGLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
-};
 use crate::gpu::{Gpu, GpuError, Module, Pass, PointRecord, Program};
 use crate::render::Features;
+use crate::render::kernels::catalogue::{
+    CORNERS, LITERAL_RAY, RAY, SHAPE_TRIANGLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
+};
+use crate::render::kernels::literals::{Literals, meet};
 use crate::render::kernels::shapes;
-use crate::render::literals::{Literals, meet};
-use crate::render::tables::{self, Table};
+use crate::render::prepared::tables::{self, Table};
 use crate::scene::Scene;
 
 static TRACE: Module = Module { name: "trace", source: include_str!("trace.wgsl"), feature: None };

@@ -1,0 +1,25 @@
+//! Attributes of points: what rays that find points store of them beside their records.
+
+use crate::gpu::{Gpu, GpuError};
+use crate::render::features::Features;
+
+/// The name by which shaders know an attribute, and four numbers a point.
+pub type Attribute = (&'static str, wgpu::Buffer);
+
+/// Buffers for what a scene's features ask to be stored of so many points.
+///
+/// # Errors
+/// The device refuses.
+pub fn attributes(
+    gpu: &Gpu,
+    features: Features,
+    points: usize,
+) -> Result<Vec<Attribute>, GpuError> {
+    let names = [
+        ("albedos", features.textures),
+        ("glows", features.glows),
+        ("throughputs", features.specular()),
+    ];
+    let asked = names.into_iter().filter(|(_, is)| *is);
+    asked.map(|(name, _)| Ok((name, gpu.storage::<[f32; 4]>(name, points)?))).collect()
+}

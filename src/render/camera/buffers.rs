@@ -1,0 +1,77 @@
+//! The buffers of a tile that all steps share: what its camera rays see, and the film.
+
+use super::attributes::{Attribute, attributes};
+use super::setup::FrameSetup;
+use crate::gpu::{GpuError, PointRecord};
+use crate::render::prepared::Prepared;
+use crate::render::stage::Named;
+
+/// The buffers of a tile.
+#[derive(Debug)]
+pub struct TileBuffers {
+    /// Radiance, summed over the samples; in w how many of them hit something.
+    pub film: wgpu::Buffer,
+    /// Visible points of one sample.
+    pub points: wgpu::Buffer,
+    /// What else is known of them.
+    pub attributes: Vec<Attribute>,
+    /// Radiance of the visible points of a sample, where edges are antialiased, or mirrors or glass
+    /// may be in the way.
+    pub radiance: Option<wgpu::Buffer>,
+}
+
+impl TileBuffers {
+    /// For the tiles of a frame.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn new(setup: &FrameSetup<'_>) -> Result<Self, GpuError> {
+        let FrameSetup { prepared, settings, .. } = *setup;
+        let (gpu, features) = (&prepared.gpu, prepared.target_of(settings).features);
+        let points = setup.most_points();
+        let colours = |label: &str| gpu.storage::<[f32; 4]>(label, points);
+        let by_point = settings.antialiases() || features.specular();
+        Ok(Self {
+            film: colours("film")?,
+            points: gpu.storage::<PointRecord>("visible points", points)?,
+            attributes: attributes(gpu, features, points)?,
+            radiance: by_point.then(|| colours("radiance")).transpose()?,
+        })
+    }
+
+    /// These and the scene's, by name.
+    pub fn named<'a>(&'a self, prepared: &'a Prepared) -> Vec<Named<'a>> {
+        let mut named = vec![("points", &self.points), ("film", &self.film)];
+        named.extend(self.attributes.iter().map(|(name, buffer)| (*name, buffer)));
+        named.extend(self.radiance.as_ref().map(|buffer| ("radiance", buffer)));
+        named.extend(prepared.named());
+        named
+    }
+
+    /// The same for stages that add to the radiance of visible points: that is the film, unless it
+    /// has a buffer of its own.
+    pub fn named_by_point<'a>(&'a self, prepared: &'a Prepared) -> Vec<Named<'a>> {
+        // The first buffer of a name counts.
+        let radiance = self.radiance.as_ref().map(|radiance| ("film", radiance));
+        radiance.into_iter().chain(self.named(prepared)).collect()
+    }
+
+    /// Empties the film, before the first sample of a tile.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn clear_film(&self, prepared: &Prepared) -> Result<(), GpuError> {
+        prepared.gpu.clear(&[&self.film])
+    }
+
+    /// Forgets the radiance of the last sample.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn clear_radiance(&self, prepared: &Prepared) -> Result<(), GpuError> {
+        match &self.radiance {
+            Some(radiance) => prepared.gpu.clear(&[radiance]),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! Bias compensation: gives back the light that the bound on the geometry term removes, by paths
+//! from the visible points. Kollig and Keller, "Illumination in the Presence of Weak
+//! Singularities", 2004.
+//!
+//! With the bound b, virtual point lights (VPLs) give the share min(G, b) / G of the light that
+//! goes from one surface to another. A segment from a visible point, in a direction drawn as the
+//! surface scatters, brings back the rest: max(0, G - b) / G of the light that its other end
+//! reflects. That light is, as at any visible point, direct light, what VPLs give under the bound,
+//! and, recursively, what the bound removes there. Nearly all segments end at once, as only short
+//! ones have G > b.
+//!
+//! Bounces are counted: the vertex after k segments has direct light if k is at most B, and light
+//! of VPLs that light has reached in at most B - k bounces.
+//!
+//! What paths from the camera do not find is not given back: light of lights without extent that
+//! mirrors or glass turn onto a surface, of which VPLs have the bounded share.
+
+use std::time::{Duration, Instant};
+
+use super::camera::Tile;
+use super::kernels::compensation as programs;
+use super::path::stages::next_event;
+use super::path::vertices::{Queue, Vertices};
+use super::path::{finding_light, finds_light, path_params};
+use super::prepared::Prepared;
+use super::settings::{Bounces, Settings};
+use super::stage::Stage;
+use super::virtual_light::VirtualLight;
+use super::visibility::{self, VPL_BUFFER};
+use super::vpls::Vpl;
+use crate::gpu::{ArrivalRecord, CompensatedParams, GpuError, PathParams, StartParams};
+use crate::sampling::hash;
+
+/// Paths of a pixel, over all its samples, where pixels combine what they have gathered, which takes
+/// the noise off; and where they do not.
+const PATHS_OF_PIXEL: [u32; 2] = [8, 32];
+/// Paths that are traced at once, at most, but one of each visible point: many, so that the passes
+/// themselves cost little in small images, where paths may be long.
+const AT_ONCE: usize = 1 << 19;
+/// Keeps the random numbers apart from those of other passes.
+const STREAM: u32 = 0x636f_6d70;
+
+/// Gives back, tile by tile, what the bound on the geometry term removes.
+#[derive(Debug)]
+pub struct Compensation {
+    bound: f32,
+    bounces: Bounces,
+    /// Paths of each visible point, and how many of them are traced at once.
+    paths: u32,
+    at_once: u32,
+    seed: u32,
+    /// How many VPLs light has reached in at most so many bounces.
+    vpls_within: Vec<u32>,
+    vertices: Vertices,
+    queue: Queue,
+    start: Stage,
+    lights: Vec<(Stage, u32)>,
+    vpls: Stage,
+    segment: Stage,
+    /// Adds what was given back to what the visible points gather.
+    sum: Stage,
+}
+
+impl Compensation {
+    /// For tiles of at most so many visible points, whose light of `vpls` has this bound. The buffers
+    /// are of the points, and of the irradiance that is added to.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn new(
+        prepared: &Prepared,
+        settings: &Settings,
+        seed: u32,
+        vpls: &[Vpl],
+        bound: f32,
+        [visible, irradiance]: [&wgpu::Buffer; 2],
+        points: usize,
+    ) -> Result<Self, GpuError> {
+        let gpu = &prepared.gpu;
+        let [combined, alone] = PATHS_OF_PIXEL;
+        let paths = if settings.interleaves() { combined } else { alone };
+        let paths = paths.div_ceil(settings.samples);
+        let at_once = (AT_ONCE / points).clamp(1, paths as usize);
+        let slots = points * at_once;
+        let vertices = Vertices::new(prepared, slots)?;
+        let (by_bounce, vpls_within) = by_bounces(vpls, prepared);
+        let table = visibility::table(prepared, &by_bounce)?;
+        let arrivals = match prepared.features.phong {
+            true => Some(gpu.storage::<ArrivalRecord>("arrivals", slots)?),
+            false => None,
+        };
+        let mut named = vertices.named(prepared);
+        named.push((VPL_BUFFER, &table));
+        named.extend(arrivals.iter().map(|buffer| ("arrivals", buffer)));
+        named.extend([("irradiance", irradiance), ("visible", visible)]);
+        let target = prepared.target();
+        let areas = prepared.lights.have_surfaces();
+        let bind = |program| Stage::new(prepared, &program, &named);
+        Ok(Self {
+            bound,
+            bounces: settings.bounces,
+            paths,
+            at_once: at_once as u32,
+            seed: hash(seed ^ STREAM),
+            vpls_within,
+            queue: Queue::new(prepared, &named, slots)?,
+            start: bind(programs::start())?,
+            lights: next_event(prepared, &named, &|kind| programs::next_event(target, kind))?,
+            vpls: bind(programs::vpls(target))?,
+            segment: bind(programs::segment(target, settings.bounces, areas))?,
+            sum: bind(programs::compensated(target))?,
+            vertices,
+        })
+    }
+
+    /// Adds to what the visible points of a tile gather what the bound removes of it.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn add(&self, prepared: &Prepared, tile: Tile) -> Result<Duration, GpuError> {
+        let start = Instant::now();
+        for lobe in 0..prepared.target().lobes() as u32 {
+            for first in (0..self.paths).step_by(self.at_once as usize) {
+                let paths = self.at_once.min(self.paths - first);
+                self.trace(prepared, tile, tile.sample * self.paths + first, paths, lobe)?;
+                let (points, share) = (tile.points(), 1.0 / self.paths as f32);
+                let params = CompensatedParams { points, share, lobe, paths };
+                self.sum.run(prepared, &params, [tile.blocks, 1])?;
+            }
+        }
+        Ok(start.elapsed())
+    }
+
+    /// Some paths from each visible point to their ends, the first of them `number` in its pixel's
+    /// sequence, by a lobe.
+    fn trace(
+        &self,
+        prepared: &Prepared,
+        tile: Tile,
+        number: u32,
+        paths: u32,
+        lobe: u32,
+    ) -> Result<(), GpuError> {
+        prepared.gpu.clear(&[&self.vertices.radiance])?;
+        let (points, seed) = (tile.points(), self.seed);
+        let start = StartParams { points, first_block: tile.first_block, seed, paths };
+        self.start.run(prepared, &start, [tile.blocks * paths, 1])?;
+        let mut params = PathParams {
+            paths: points * paths,
+            first_sample: number,
+            samples: paths,
+            bound: self.bound,
+            lobe,
+            ..path_params(prepared)
+        };
+        params.paths = self.queue.survivors(prepared, &params)?;
+        while params.paths > 0 {
+            let groups = [params.paths.div_ceil(64), 1];
+            if params.bounce > 0 {
+                params = finding_light(prepared, params);
+                self.gather(prepared, &params)?;
+            }
+            let last = self.bounces == Bounces::Finite(params.bounce);
+            if last && !finds_light(&params) {
+                break;
+            }
+            self.segment.run(prepared, &params, groups)?;
+            if last {
+                break;
+            }
+            params.paths = self.queue.survivors(prepared, &params)?;
+            params.bounce += 1;
+        }
+        Ok(())
+    }
+
+    /// Light at the vertices of the queue: straight from its source, and of VPLs.
+    fn gather(&self, prepared: &Prepared, params: &PathParams) -> Result<(), GpuError> {
+        let groups = [params.paths.div_ceil(64), 1];
+        for (stage, lights) in &self.lights {
+            let params = PathParams { lights: *lights, ..*params };
+            stage.run(prepared, &params, groups)?;
+        }
+        let most = match self.bounces {
+            Bounces::Finite(most) => most.saturating_sub(params.bounce) as usize,
+            Bounces::Unlimited => usize::MAX,
+        };
+        let most = most.min(self.vpls_within.len() - 1);
+        let lights = self.vpls_within[most];
+        if lights > 0 {
+            self.vpls.run(prepared, &PathParams { lights, ..*params }, groups)?;
+        }
+        Ok(())
+    }
+}
+
+/// VPLs in the order of their bounces, and how many there are of at most 0, 1, 2, … bounces.
+fn by_bounces(vpls: &[Vpl], prepared: &Prepared) -> (Vec<VirtualLight>, Vec<u32>) {
+    let most = vpls.iter().map(|vpl| vpl.bounce).max().unwrap_or(0);
+    let mut within = vec![0; most as usize + 1];
+    for vpl in vpls {
+        within[vpl.bounce as usize] += 1;
+    }
+    let mut sum = 0;
+    for count in &mut within {
+        sum += *count;
+        *count = sum;
+    }
+    let mut order: Vec<&Vpl> = vpls.iter().collect();
+    order.sort_by_key(|vpl| vpl.bounce);
+    (order.into_iter().map(|vpl| vpl.light(&prepared.scene)).collect(), within)
+}

@@ -1,0 +1,206 @@
+//! The files of `shaders/` as modules to link, and the features of scenes and settings that they
+//! serve.
+
+use crate::gpu::{Module, Program};
+
+macro_rules! modules {
+    (@feature) => { None };
+    (@feature $feature:literal) => { Some($feature) };
+    ($($constant:ident = $name:literal $(for $feature:literal)?;)*) => {
+        $(
+            #[doc = concat!("`shaders/", $name, ".wgsl`")]
+            pub static $constant: Module = Module {
+                name: $name,
+                source: include_str!(concat!("../../../shaders/", $name, ".wgsl")),
+                feature: modules!(@feature $($feature)?),
+            };
+        )*
+        /// Every module that some scene links. Its order is that of `left_out` in reports.
+        pub static CATALOGUE: &[&Module] = &[$(&$constant),*];
+    };
+}
+
+modules! {
+    TYPES = "common/types";
+    SAMPLING = "common/sampling";
+    PIXELS = "common/pixels";
+    SHAPE_TRIANGLE = "trace/shape_triangle";
+    SHAPE_ANY = "trace/shape_any" for "spheres";
+    OPAQUE_ALL = "trace/opaque_all";
+    OPAQUE_CUTOUT = "trace/opaque_cutout" for "alpha cut-outs";
+    TEXTURE = "materials/texture";
+    UV_TRIANGLE = "trace/uv_triangle";
+    UV_ANY = "trace/uv_any" for "spheres";
+    ALBEDO_PLAIN = "materials/albedo_plain";
+    HEMISPHERE = "common/hemisphere";
+    FINISH = "materials/bsdf";
+    VIEW_NONE = "camera/view_direction_none";
+    VIEW_KEPT = "camera/view_direction";
+    WAY_BACK = "trace/ray_offset";
+    PHONG = "materials/phong" for "phong";
+    GATHERED_DIFFUSE = "materials/gathered_diffuse";
+    GATHERED_PHONG = "materials/gathered_phong" for "phong";
+    ALBEDO_TEXTURED = "materials/albedo_textured" for "textures";
+    KEEP_ALBEDO_NONE = "camera/store_albedo_none";
+    KEEP_ALBEDO = "camera/store_albedo" for "textures";
+    MATERIAL_TEXTURES = "materials/material_textures";
+    GLOW_NONE = "materials/emission_scale_none";
+    GLOW_TEXTURED = "materials/emission_scale_textured" for "emission textures";
+    KEEP_GLOW_NONE = "camera/store_emission_scale_none";
+    KEEP_GLOW = "camera/store_emission_scale" for "emission textures";
+    LIGHT_PLAIN = "lights/light_scale_none";
+    LIGHT_TEXTURED = "lights/light_scale_textured" for "emission textures";
+    LOBE_ENERGY = "materials/lobe_energy";
+    LOBES_DIFFUSE = "materials/lobes_diffuse";
+    LOBES_PHONG = "materials/lobes_phong" for "phong";
+    SCATTER_DIFFUSE = "materials/scatter_diffuse";
+    SCATTER_PHONG = "materials/scatter_phong" for "phong";
+    TURN = "materials/specular_sample";
+    MIRROR = "materials/mirror" for "mirror";
+    GLASS = "materials/glass" for "glass";
+    TURN_MIRROR = "materials/sample_specular_mirror" for "mirror";
+    TURN_GLASS = "materials/sample_specular_glass" for "glass";
+    TURN_EITHER = "materials/sample_specular_either";
+    FOLLOW_NONE = "materials/specular_chain_none";
+    FOLLOW_SPECULAR = "materials/specular_chain";
+    KEEP_THROUGHPUT_NONE = "camera/store_throughput_none";
+    KEEP_THROUGHPUT = "camera/store_throughput";
+    THROUGHPUT_NONE = "camera/throughput_none";
+    THROUGHPUT_KEPT = "camera/throughput_stored";
+    THROUGHPUT_PATH = "camera/throughput_path";
+    REFLECTANCE_PLAIN = "materials/reflectance_plain";
+    REFLECTANCE_ANY = "materials/reflectance_any";
+    RESOLVE = "camera/resolve";
+    VPL_DIFFUSE = "visibility/vpl_diffuse";
+    VPL_GLOSSY = "visibility/vpl_glossy" for "phong";
+    RAY = "trace/ray";
+    TRAVERSE = "trace/traverse" for "bounding volume hierarchy";
+    TRAVERSE_PACKET = "trace/traverse_packet" for "bounding volume hierarchy";
+    LITERAL_RAY = "trace/literals" for "triangles as literals";
+    CORNERS = "trace/hit_triangles";
+    CAMERA = "camera/camera";
+    HIT_POINT = "trace/hit_point";
+    ONE_SURFACE = "common/one_surface";
+    ANTIALIAS = "camera/antialias" for "antialiasing of edges";
+    VISIBLE = "camera/visible_points";
+    DIRECT = "direct/params" for "direct light";
+    CHOOSE_LIGHT = "lights/choose_light";
+    LIGHT_SAMPLE = "lights/light_sample";
+    LOCAL_LIGHT = "lights/local_light";
+    POINT_LIGHT = "lights/point_light" for "point lights";
+    SPOT_LIGHT = "lights/spot_light" for "spot lights";
+    DIRECTIONAL_LIGHT = "lights/directional_light" for "directional lights";
+    DIRECT_EXACT = "direct/exact";
+    AREA_LIGHT = "lights/area_light" for "area lights";
+    PLACE_BY_AREA = "lights/triangle_area" for "area lights";
+    PLACE_BY_ANGLE = "lights/triangle_solid_angle" for "area lights near surfaces";
+    SPHERE_CONE = "lights/sphere_cone" for "sphere lights";
+    SPHERE_LIGHT = "lights/sphere_light" for "sphere lights";
+    PATH_EMISSION_ANY = "path/emission_any" for "sphere lights";
+    ENVIRONMENT_CONSTANT = "lights/environment_constant" for "environment light";
+    ENVIRONMENT_IMAGE = "lights/environment_image" for "environment images";
+    ENVIRONMENT_CELLS = "lights/environment_cells" for "environment images";
+    ENVIRONMENT_LIGHT_CONSTANT = "lights/environment_light_constant" for "environment light";
+    ENVIRONMENT_LIGHT_IMAGE = "lights/environment_light_image" for "environment images";
+    BACKGROUND = "camera/background" for "environment light";
+    UNSEEN_NONE = "camera/unseen_none";
+    UNSEEN_BACKGROUND = "camera/unseen_background" for "environment light";
+    PATH_FOUND = "path/found" for "path tracing";
+    PATH_BACKGROUND = "path/background" for "environment light";
+    PATH_BACKGROUND_WEIGHTED = "path/background_weighted" for "environment images";
+    PATH_NO_BACKGROUND = "path/background_none";
+    DRAW_ONE = "direct/draw_one";
+    DRAW_RESAMPLED = "direct/draw_resampled" for "many area lights";
+    DIRECT_SAMPLED = "direct/sampled";
+    VISIBILITY = "visibility/single" for "gathering of lights";
+    BITS = "visibility/bits" for "gathering of lights";
+    PACKET_SHAFT = "trace/packet_shaft" for "bounding volume hierarchy";
+    PACKET_RAYS = "trace/packet_rays" for "bounding volume hierarchy";
+    BLOCKER_TRIANGLE = "trace/blocker_triangle";
+    BLOCKER_ANY = "trace/blocker_any";
+    VISIBILITY_PACKET = "visibility/packet" for "gathering of lights";
+    VISIBILITY_LITERALS = "visibility/literals" for "triangles as literals";
+    EXPAND = "visibility/expand" for "visibility shared by VPL clusters";
+    INTERLEAVED = "gather/subsets" for "interleaved sampling";
+    SEPARATE = "gather/split_subsets" for "interleaved sampling";
+    SIGNATURE_NONE = "gather/signature_none";
+    SIGNATURE_PROBED = "gather/signature_probed" for "probes of visibility";
+    GIVEN_NONE = "gather/compensation_none";
+    GIVEN_BACK = "gather/compensation_added" for "bias compensation";
+    SURFACE_PLAIN = "gather/surface_plain";
+    SURFACE_LOBED = "gather/surface_lobed" for "phong";
+    SURFACE_LOBE_CODE = "gather/surface_lobe_code" for "phong";
+    COLLECT = "gather/join_subsets" for "interleaved sampling";
+    COMBINE = "gather/discontinuity_buffer" for "interleaved sampling";
+    SEEN_HARD = "gather/seen_hard";
+    SEEN_FUZZY = "gather/seen_fuzzy" for "fuzzy clusters";
+    ROW_POINT = "gather/row_point";
+    ROW_CLUSTER = "gather/row_cluster" for "hard clusters";
+    EMITTER_SURFACE = "visibility/emitter_surface" for "virtual point lights";
+    EMITTER_POINT = "visibility/emitter_point" for "point lights";
+    GATHER = "gather/params" for "gathering of lights";
+    SHADE = "gather/shade" for "gathering of lights";
+    SHADE_COOPERATIVE = "gather/shade_cooperative" for "gathering of lights";
+    PAIR_DIFFUSE = "gather/pair_diffuse";
+    PAIR_GLOSSY = "gather/pair_glossy" for "phong";
+    SHADE_GLOSSY = "gather/shade_glossy" for "phong";
+    PAIR_BOUNDED = "gather/pair_bounded" for "clamp";
+    PAIR_UNBOUNDED = "gather/pair_unbounded";
+    PATH = "path/params" for "path tracing";
+    PATH_STATE = "path/state" for "path tracing";
+    PATH_RANDOM = "path/random" for "path tracing";
+    PATH_CAMERA = "path/camera" for "path tracing";
+    PATH_LIGHT = "path/light" for "direct light";
+    PATH_BACK = "path/contribution" for "path tracing";
+    PATH_EXACT = "path/exact";
+    PATH_SAMPLED = "path/sampled";
+    ROULETTE = "common/roulette" for "Russian roulette";
+    NO_ROULETTE = "common/roulette_none";
+    MIS = "common/mis";
+    PATH_EMISSION = "path/emission" for "area lights";
+    PATH_NO_EMISSION = "path/emission_none";
+    PATH_FOLLOW = "path/follow";
+    PATH_SEGMENT = "path/segment" for "path tracing";
+    PATH_COUNT = "path/count" for "path tracing";
+    PATH_COMPACT = "path/compact" for "path tracing";
+    PATH_SUM = "path/sum" for "path tracing";
+    SEEN_ALL = "compensation/seen_all" for "bias compensation";
+    COMPENSATE_SHARE = "compensation/share" for "bias compensation";
+    COMPENSATE_START = "compensation/start" for "bias compensation";
+    COMPENSATE_DIFFUSE = "compensation/diffuse";
+    COMPENSATE_GLOSSY = "compensation/glossy" for "phong";
+    COMPENSATE_BACK = "compensation/contribution" for "bias compensation";
+    COMPENSATE_VPLS = "compensation/vpls" for "bias compensation";
+    COMPENSATE_SEGMENT = "compensation/segment" for "bias compensation";
+    COMPENSATED = "compensation/add" for "bias compensation";
+    EMIT = "camera/emit" for "emission";
+    REFLECT = "gather/reflect" for "reflection";
+    REMOVED = "gather/clamped_energy" for "clamp";
+    SHOW_NORMAL = "camera/show_normal" for "normal";
+    SHOW_DEPTH = "camera/show_depth" for "depth";
+    SHOW_ALBEDO = "camera/show_albedo" for "albedo";
+}
+
+/// Features that some module of the programs serves, in the order of the catalogue.
+pub fn features_of<'a>(programs: impl Iterator<Item = &'a Program>) -> Vec<&'static str> {
+    let served = |program: &'a Program| program.modules.iter().filter_map(|module| module.feature);
+    let linked: Vec<_> = programs.flat_map(served).collect();
+    features().into_iter().filter(|feature| linked.contains(feature)).collect()
+}
+
+/// Features that no module of the programs serves, in the order of the catalogue.
+pub fn features_without<'a>(programs: impl Iterator<Item = &'a Program>) -> Vec<&'static str> {
+    let linked = features_of(programs);
+    features().into_iter().filter(|feature| !linked.contains(feature)).collect()
+}
+
+/// All features, each once, in the order of the catalogue.
+fn features() -> Vec<&'static str> {
+    let mut features = Vec::new();
+    for feature in CATALOGUE.iter().filter_map(|module| module.feature) {
+        if !features.contains(&feature) {
+            features.push(feature);
+        }
+    }
+    features
+}

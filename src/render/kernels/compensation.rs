@@ -1,0 +1,65 @@
+//! The programs of bias compensation.
+
+use super::catalogue::{
+    COMPENSATE_BACK, COMPENSATE_DIFFUSE, COMPENSATE_GLOSSY, COMPENSATE_SEGMENT, COMPENSATE_SHARE,
+    COMPENSATE_START, COMPENSATE_VPLS, COMPENSATED, EMITTER_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE,
+    PAIR_GLOSSY, PATH_STATE, SAMPLING, SEEN_ALL, TYPES,
+};
+use super::materials::{gathered, lobes};
+use super::path::{next_event_by, segments, vertex};
+use super::visibility::vpl;
+use crate::gpu::{Module, Program};
+use crate::render::features::Target;
+use crate::render::lights::LightKind;
+use crate::render::settings::Bounces;
+
+/// A path at each visible point.
+pub fn start() -> Program {
+    let modules = vec![&TYPES, &SAMPLING, &PATH_STATE, &COMPENSATE_START];
+    Program::new("compensation, start", modules)
+}
+
+/// Light straight from its source at vertices.
+pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
+    let back = [&carried(target)[..], &[&COMPENSATE_BACK]].concat();
+    next_event_by(target, kind, &back)
+}
+
+/// Light of VPLs at vertices.
+pub fn vpls(target: Target) -> Program {
+    let pair = if target.features.phong { &PAIR_GLOSSY } else { &PAIR_DIFFUSE };
+    let mut last = carried(target);
+    last.extend([vpl(target), &PAIR_BOUNDED, &EMITTER_SURFACE, &SEEN_ALL, pair]);
+    last.push(&COMPENSATE_VPLS);
+    Program::new("compensation, VPLs", vertex(target, &last))
+}
+
+/// The next segment, in a scene with or without surfaces that emit.
+pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
+    let mut last = segments(target, bounces, areas);
+    last.extend(carried(target));
+    last.push(&COMPENSATE_SEGMENT);
+    Program::new("compensation, segment", vertex(target, &last))
+}
+
+/// What was given back, to what visible points gather.
+pub fn compensated(target: Target) -> Program {
+    Program::new("compensation", vec![gathered(target), &COMPENSATED])
+}
+
+/// What is carried from vertex to vertex.
+fn carried(target: Target) -> Vec<&'static Module> {
+    let of = if target.features.phong { &COMPENSATE_GLOSSY } else { &COMPENSATE_DIFFUSE };
+    [&lobes(target)[..], &[&COMPENSATE_SHARE, of]].concat()
+}
+
+/// Every program of bias compensation for a target.
+pub fn all(target: Target) -> Vec<Program> {
+    let mut programs = vec![start(), compensated(target), vpls(target)];
+    programs.extend(LightKind::ALL.into_iter().filter_map(|kind| next_event(target, kind)));
+    for areas in [false, true] {
+        let kinds = [Bounces::Finite(1), Bounces::Unlimited];
+        programs.extend(kinds.map(|bounces| segment(target, bounces, areas)));
+    }
+    programs
+}

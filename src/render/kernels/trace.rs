@@ -1,0 +1,97 @@
+//! How rays are traced: the modules that a scene's shapes choose, and its size.
+
+use super::catalogue::{
+    BLOCKER_ANY, BLOCKER_TRIANGLE, LITERAL_RAY, OPAQUE_ALL, OPAQUE_CUTOUT, PACKET_RAYS,
+    PACKET_SHAFT, RAY, SHAPE_ANY, SHAPE_TRIANGLE, TEXTURE, TRAVERSE, TRAVERSE_PACKET, UV_ANY,
+    UV_TRIANGLE, VISIBILITY, VISIBILITY_LITERALS, VISIBILITY_PACKET,
+};
+use crate::gpu::Module;
+use crate::render::features::{Features, Target};
+
+/// Rays, and the shapes that they meet.
+pub fn shapes(features: Features) -> Vec<&'static Module> {
+    let mut modules: Vec<&Module> = vec![&RAY];
+    modules.push(if features.spheres { &SHAPE_ANY } else { &SHAPE_TRIANGLE });
+    match features.cutouts {
+        true => modules.extend(textures(features).into_iter().chain([&OPAQUE_CUTOUT])),
+        false => modules.push(&OPAQUE_ALL),
+    }
+    modules
+}
+
+/// Rays, the shapes that they meet, and how those are traced that neighbours trace alike.
+pub fn rays(target: Target) -> Vec<&'static Module> {
+    if target.literals {
+        return vec![&RAY, traverse(target)];
+    }
+    let mut modules = shapes(target.features);
+    modules.push(traverse(target));
+    modules
+}
+
+/// Rays, and the shapes that block those of a packet.
+pub fn blockers(features: Features) -> Vec<&'static Module> {
+    match features.spheres || features.cutouts {
+        true => [&shapes(features)[..], &[&BLOCKER_ANY]].concat(),
+        false => vec![&RAY, &BLOCKER_TRIANGLE],
+    }
+}
+
+/// How rays are traced that neighbours trace alike.
+fn traverse(target: Target) -> &'static Module {
+    match target.subgroups {
+        _ if target.literals => &LITERAL_RAY,
+        true => &TRAVERSE_PACKET,
+        false => &TRAVERSE,
+    }
+}
+
+/// Textures, and where on the shapes they lie.
+pub fn textures(features: Features) -> Vec<&'static Module> {
+    vec![&TEXTURE, if features.spheres { &UV_ANY } else { &UV_TRIANGLE }]
+}
+
+/// How the shadow rays between points and VPLs are traced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tracing {
+    /// Each ray by itself, for adapters without subgroups.
+    Single,
+    /// Packets against boxes as a whole.
+    Shaft,
+    /// Packets against boxes ray by ray.
+    Rays,
+    /// Four rays an invocation against triangles that are written into the shader.
+    Literals,
+}
+
+impl Tracing {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Single, Self::Shaft, Self::Rays, Self::Literals];
+    /// Hierarchies of more nodes have boxes so small that a packet is best tested ray by ray.
+    const SHAFT_NODES: usize = 1000;
+
+    /// The one that suits a scene, whose hierarchy has so many nodes, and its device.
+    pub fn of(target: Target, nodes: usize) -> Self {
+        match target {
+            target if target.literal_packets => Self::Literals,
+            target if !target.subgroups => Self::Single,
+            _ if nodes <= Self::SHAFT_NODES => Self::Shaft,
+            _ => Self::Rays,
+        }
+    }
+
+    /// Points for which an invocation traces rays.
+    pub fn points(self) -> u32 {
+        if self == Self::Single { 1 } else { 4 }
+    }
+
+    /// What traces them, after what they may meet.
+    pub(super) fn modules(self) -> Vec<&'static Module> {
+        match self {
+            Self::Single => vec![&TRAVERSE, &VISIBILITY],
+            Self::Shaft => vec![&PACKET_SHAFT, &VISIBILITY_PACKET],
+            Self::Rays => vec![&PACKET_RAYS, &VISIBILITY_PACKET],
+            Self::Literals => vec![&VISIBILITY_LITERALS],
+        }
+    }
+}

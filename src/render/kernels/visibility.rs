@@ -1,0 +1,75 @@
+//! The programs of shadow rays between points and many lights: VPLs, or places on light sources.
+
+use super::catalogue::{
+    BITS, EMITTER_POINT, EMITTER_SURFACE, EXPAND, RAY, TYPES, VIEW_KEPT, VPL_DIFFUSE, VPL_GLOSSY,
+};
+use super::trace::{Tracing, blockers, shapes};
+use crate::gpu::{Module, Program};
+use crate::render::features::Target;
+use crate::render::lights::LightKind;
+
+/// How many rays one invocation may trace in a dispatch, a power of two up to the 32 of a
+/// word. Mesa's llvmpipe silently leaves all loops of an invocation after 65,535 rounds
+/// together; so many are enough for that many rays even if each meets all boxes of a small
+/// hierarchy, or many of a large one.
+pub fn rays_at_once(nodes: usize) -> u32 {
+    const ROUNDS: usize = 65_000;
+    // A round for a node, and at a leaf, which half of the nodes are, one for each triangle, one
+    // to leave them, and one for the way on.
+    let rays = (ROUNDS / (4 * nodes.max(1))).clamp(4, 32);
+    1 << rays.ilog2()
+}
+
+/// What the lights are that points gather.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Emitter {
+    /// Places on surfaces: VPLs, or places on light sources.
+    Surface,
+    /// Point lights.
+    Point,
+}
+
+impl Emitter {
+    /// What the lights of a kind are gathered as, if they can be.
+    pub fn of(kind: LightKind) -> Option<Self> {
+        match kind {
+            LightKind::Point => Some(Self::Point),
+            LightKind::Area => Some(Self::Surface),
+            LightKind::Spot
+            | LightKind::Directional
+            | LightKind::Sphere
+            | LightKind::Environment => None,
+        }
+    }
+
+    /// The module of it.
+    pub fn module(self) -> &'static Module {
+        match self {
+            Self::Surface => &EMITTER_SURFACE,
+            Self::Point => &EMITTER_POINT,
+        }
+    }
+}
+
+/// The record of a light that points gather.
+pub fn vpl(target: Target) -> &'static Module {
+    if target.features.phong { &VPL_GLOSSY } else { &VPL_DIFFUSE }
+}
+
+/// Shadow rays between points and lights.
+pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program {
+    let mut modules = vec![&TYPES, &VIEW_KEPT, vpl(target)];
+    modules.extend(match tracing {
+        Tracing::Single => shapes(target.features),
+        Tracing::Shaft | Tracing::Rays => blockers(target.features),
+        Tracing::Literals => vec![&RAY],
+    });
+    modules.extend([emitter.module(), &BITS]);
+    modules.extend(tracing.modules());
+    Program::new("visibility", modules)
+}
+
+/// Visibility of VPLs from that of their clusters.
+pub fn expand() -> Program {
+    Program::new("expansion", vec![&EXPAND])
+}

@@ -1,0 +1,227 @@
+//! The light sources as tables to draw from, for direct light and for light paths.
+
+mod area;
+mod bounds;
+mod directional;
+mod environment;
+mod kind;
+mod near;
+mod point;
+mod sphere;
+mod start;
+mod table;
+
+use std::f64::consts::PI;
+
+use glam::Vec3;
+
+use super::virtual_light::VirtualLight;
+use crate::bvh::Bvh;
+use crate::gpu::{
+    AreaLightRecord, DirectionalLightRecord, Gpu, GpuError, PointLightRecord, SphereLightRecord,
+    SpotLightRecord,
+};
+use crate::scene::Scene;
+
+pub use bounds::Bounds;
+pub use environment::EnvironmentLight;
+pub use kind::LightKind;
+pub use start::Start;
+pub use table::Table;
+
+/// All lights of a scene.
+#[derive(Debug, Clone, Default)]
+pub struct Lights {
+    /// Emitting triangles.
+    pub area: Table<AreaLightRecord>,
+    /// The triangles that they are, by their indices in the scene.
+    pub emitters: Vec<u32>,
+    /// Emitting spheres.
+    pub sphere: Table<SphereLightRecord>,
+    /// Lights without extent that shine in all directions.
+    pub point: Table<PointLightRecord>,
+    /// Those that shine into a cone.
+    pub spot: Table<SpotLightRecord>,
+    /// Lights infinitely far away.
+    pub directional: Table<DirectionalLightRecord>,
+    /// Light from all directions, if it is not black.
+    pub environment: Option<EnvironmentLight>,
+    /// Where those shine.
+    bounds: Bounds,
+}
+
+impl Lights {
+    /// The lights of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        let bounds = Bounds::of(scene);
+        Self {
+            area: area::triangles(scene),
+            emitters: scene.emitters().collect(),
+            sphere: sphere::spheres(scene),
+            point: point::points(scene),
+            spot: point::spots(scene),
+            directional: directional::directional(scene, &bounds),
+            environment: EnvironmentLight::of(scene, &bounds),
+            bounds,
+        }
+    }
+
+    /// Whether emitting triangles are near to surfaces that they shine on.
+    pub fn any_near(&self, bvh: &Bvh) -> bool {
+        near::any_near(bvh, &self.area.records)
+    }
+
+    /// How many lights of a kind there are.
+    pub fn count(&self, kind: LightKind) -> u32 {
+        let count = match kind {
+            LightKind::Point => self.point.records.len(),
+            LightKind::Spot => self.spot.records.len(),
+            LightKind::Directional => self.directional.records.len(),
+            LightKind::Area => self.area.records.len(),
+            LightKind::Sphere => self.sphere.records.len(),
+            LightKind::Environment => usize::from(self.environment.is_some()),
+        };
+        count as u32
+    }
+
+    /// How many lights of all kinds there are.
+    pub fn all(&self) -> usize {
+        LightKind::ALL.map(|kind| self.count(kind) as usize).iter().sum()
+    }
+
+    /// Flux of all lights of a kind, mean of the channels.
+    pub fn power(&self, kind: LightKind) -> f64 {
+        match kind {
+            LightKind::Point => self.point.power,
+            LightKind::Spot => self.spot.power,
+            LightKind::Directional => self.directional.power,
+            LightKind::Area => self.area.power,
+            LightKind::Sphere => self.sphere.power,
+            LightKind::Environment => self.environment.as_ref().map_or(0.0, |light| light.power),
+        }
+    }
+
+    /// The kinds of which there are lights.
+    pub fn kinds(&self) -> impl Iterator<Item = LightKind> + '_ {
+        LightKind::ALL.into_iter().filter(|&kind| self.count(kind) > 0)
+    }
+
+    /// The table of a kind on the device.
+    ///
+    /// # Errors
+    /// It does not fit.
+    pub fn upload(&self, gpu: &Gpu, kind: LightKind) -> Result<wgpu::Buffer, GpuError> {
+        match kind {
+            LightKind::Point => gpu.storage_of("point lights", &self.point.records),
+            LightKind::Spot => gpu.storage_of("spot lights", &self.spot.records),
+            LightKind::Directional => {
+                gpu.storage_of("directional lights", &self.directional.records)
+            }
+            LightKind::Area => gpu.storage_of("area lights", &self.area.records),
+            LightKind::Sphere => gpu.storage_of("sphere lights", &self.sphere.records),
+            LightKind::Environment => {
+                let words = self.environment.as_ref().map_or(Vec::new(), EnvironmentLight::words);
+                gpu.storage_of("environment", &words)
+            }
+        }
+    }
+
+    /// The probability density, by area, of a place on an area light, over the mean of its radiance
+    /// and the number of its sides; 0 without area lights.
+    pub fn area_density(&self) -> f32 {
+        if self.area.records.is_empty() { 0.0 } else { (PI / self.area.power) as f32 }
+    }
+
+    /// The probability of an emitting sphere over its mean radiance, its sides and its squared radius;
+    /// 0 without emitting spheres.
+    pub fn solid_density(&self) -> f32 {
+        let power = self.sphere.power;
+        if power > 0.0 { (4.0 * PI * PI / power) as f32 } else { 0.0 }
+    }
+
+    /// Whether any surface emits.
+    pub fn have_surfaces(&self) -> bool {
+        self.count(LightKind::Area) + self.count(LightKind::Sphere) > 0
+    }
+
+    /// `count` places on the area lights, as lights that together give the light of all.
+    pub fn places(&self, scene: &Scene, count: u32, seed: u32) -> Vec<VirtualLight> {
+        area::places(scene, &self.area, &self.emitters, count, seed)
+    }
+
+    /// The point lights, as lights without a surface.
+    pub fn points(&self) -> Vec<VirtualLight> {
+        let light = |light: &PointLightRecord| {
+            let [position, intensity] = [light.position, light.intensity].map(Vec3::from_array);
+            VirtualLight::diffuse(position, Vec3::ZERO, intensity)
+        };
+        self.point.records.iter().map(light).collect()
+    }
+
+    /// The start of a light path, from a light drawn by power with `choice`, and at a place and in
+    /// a direction drawn with `u`; none if no light has any power.
+    pub fn start(&self, scene: &Scene, choice: f32, u: [f32; 4]) -> Option<Start> {
+        /// Area lights are first, as always: what a seed gives is to stay.
+        const ORDER: [LightKind; 6] = [
+            LightKind::Area,
+            LightKind::Sphere,
+            LightKind::Point,
+            LightKind::Spot,
+            LightKind::Directional,
+            LightKind::Environment,
+        ];
+        let lit = || ORDER.into_iter().filter(|&kind| self.power(kind) > 0.0);
+        let total: f64 = lit().map(|kind| self.power(kind)).sum();
+        let mut target = f64::from(choice) * total;
+        let last = lit().next_back()?;
+        for kind in lit() {
+            let power = self.power(kind);
+            if target < power || kind == last {
+                let at = (target / power).min(1.0);
+                let (start, probability) = self.start_of(scene, kind, at, u)?;
+                let probability = (power / total * f64::from(probability)) as f32;
+                return Some(Start { flux: start.flux / probability, ..start });
+            }
+            target -= power;
+        }
+        None
+    }
+
+    /// From the light of a kind whose interval of probability holds `at`, and its probability.
+    fn start_of(
+        &self,
+        scene: &Scene,
+        kind: LightKind,
+        at: f64,
+        u: [f32; 4],
+    ) -> Option<(Start, f32)> {
+        Some(match kind {
+            LightKind::Area => {
+                let (index, probability, rest) = self.area.index_at(at)?;
+                let light = &self.area.records[index];
+                (area::start(scene, light, self.emitters[index], rest, u), probability)
+            }
+            LightKind::Sphere => {
+                let (light, probability, rest) = self.sphere.at(at)?;
+                (sphere::start(light, rest, u), probability)
+            }
+            LightKind::Point => {
+                let (light, probability, _) = self.point.at(at)?;
+                (point::start_of_point(light, u), probability)
+            }
+            LightKind::Spot => {
+                let (light, probability, _) = self.spot.at(at)?;
+                (point::start_of_spot(light, u), probability)
+            }
+            LightKind::Directional => {
+                let (light, probability, _) = self.directional.at(at)?;
+                (directional::start(light, &self.bounds, u), probability)
+            }
+            LightKind::Environment => {
+                let (light, environment) =
+                    (self.environment.as_ref()?, scene.environment.as_ref()?);
+                (light.start(environment, &self.bounds, u), 1.0)
+            }
+        })
+    }
+}

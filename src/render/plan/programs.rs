@@ -1,0 +1,126 @@
+//! The programs that frames of a scene run: the one list of what is linked for which settings.
+
+use super::Plan;
+use crate::gpu::Program;
+use crate::render::kernels::{
+    self, Emitter, antialias, background, collect, combine, compensation, emit, expand, path,
+    reflect, removed, resolve, separate, shade, show, visible_points,
+};
+use crate::render::lights::LightKind;
+use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
+
+impl Plan {
+    /// The programs that frames with these settings run.
+    pub fn programs(&self, settings: &Settings) -> Vec<Program> {
+        let needed = match settings.method {
+            Method::Path => self.path_programs(settings),
+            _ => self.vpl_programs(settings),
+        };
+        needed.into_iter().map(|program| self.complete(program)).collect()
+    }
+
+    /// Those of every method but [`Method::Path`].
+    fn vpl_programs(&self, settings: &Settings) -> Vec<Program> {
+        let target = self.target_of(settings);
+        let mut programs = vec![visible_points(target, settings.method.is_lit())];
+        programs.extend(show(self.target(), settings.method));
+        if !settings.method.is_lit() {
+            return programs;
+        }
+        match settings.antialiases() {
+            true => programs.push(antialias(target)),
+            false => programs.extend(target.features.specular().then(|| resolve(target))),
+        }
+        programs.extend(self.emission_programs());
+        if settings.direct != Direct::Off {
+            for kind in self.kinds() {
+                match Emitter::of(kind).filter(|_| settings.direct == Direct::Clustered) {
+                    Some(emitter) => {
+                        let shade = shade(target, false, settings.sharing(), emitter);
+                        programs.extend([self.visibility_program(emitter), shade]);
+                    }
+                    None => programs.push(self.direct_program(kind)),
+                }
+            }
+            programs.push(reflect(target));
+        }
+        if settings.traces_light_paths() {
+            let bounded = settings.clamp != Clamp::Off;
+            programs.extend([
+                self.visibility_program(Emitter::Surface),
+                shade(target, bounded, settings.sharing(), Emitter::Surface),
+                reflect(target),
+            ]);
+            let combined = settings.compensates() && settings.interleaves();
+            programs.extend(bounded.then(|| removed(target, combined)));
+            programs.extend(settings.shares_columns().then(expand));
+            if settings.interleaves() {
+                programs.extend([
+                    separate(),
+                    collect(target, settings.probes(), settings.compensates()),
+                    combine(target),
+                ]);
+            }
+            if settings.compensates() {
+                programs.extend(self.compensation_programs(settings));
+            }
+        }
+        programs
+    }
+
+    /// Those of [`Method::Path`].
+    fn path_programs(&self, settings: &Settings) -> Vec<Program> {
+        let target = self.target();
+        let mut programs = vec![path::camera(target), path::count(), path::compact(), path::sum()];
+        programs.extend(self.path_emission_programs());
+        if path::seeks_light(settings) {
+            programs.extend(self.kinds().filter_map(|kind| path::next_event(target, kind)));
+        }
+        let segments = self.has_segments(settings);
+        let segment = || path::segment(target, settings.bounces, self.lights.have_surfaces());
+        programs.extend(segments.then(segment));
+        programs
+    }
+
+    /// Those of bias compensation.
+    fn compensation_programs(&self, settings: &Settings) -> Vec<Program> {
+        let target = self.target();
+        let mut programs = vec![compensation::start(), path::count(), path::compact()];
+        programs.extend(self.kinds().filter_map(|kind| compensation::next_event(target, kind)));
+        programs.extend([compensation::vpls(target), compensation::compensated(target)]);
+        let areas = self.lights.have_surfaces();
+        programs.push(compensation::segment(target, settings.bounces, areas));
+        programs
+    }
+
+    /// Direct light from the lights of a kind.
+    pub fn direct_program(&self, kind: LightKind) -> Program {
+        /// A lamp or two, of which all points see much the same.
+        const FEW_LIGHTS: u32 = 16;
+        let many = self.lights.count(kind) > FEW_LIGHTS;
+        kernels::direct(self.target(), kind, many, self.near_lights)
+    }
+
+    /// Shadow rays between points and lights.
+    pub fn visibility_program(&self, emitter: Emitter) -> Program {
+        kernels::visibility(self.target(), self.tracing(), emitter)
+    }
+
+    /// What the camera sees emitted.
+    pub fn emission_programs(&self) -> Vec<Program> {
+        let (target, areas) = (self.target(), self.lights.have_surfaces());
+        areas.then(|| emit(target)).into_iter().chain(background(target)).collect()
+    }
+
+    /// What paths see that is emitted towards the camera.
+    pub fn path_emission_programs(&self) -> Vec<Program> {
+        let (target, areas) = (self.target(), self.lights.have_surfaces());
+        areas.then(|| path::emit(target)).into_iter().chain(path::background(target)).collect()
+    }
+
+    /// Whether paths go beyond the visible point: to bounce, or to happen upon lights.
+    pub fn has_segments(&self, settings: &Settings) -> bool {
+        let happens = self.lights.have_surfaces() || self.features.sky.shines();
+        settings.bounces != Bounces::Finite(0) || (happens && settings.direct != Direct::Off)
+    }
+}

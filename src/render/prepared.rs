@@ -1,0 +1,110 @@
+//! What is done once for a scene and a device: tables uploaded, kernels compiled.
+
+mod compiled;
+pub mod tables;
+
+use std::ops::Deref;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::lights::LightKind;
+use super::plan::Plan;
+use super::settings::Settings;
+use crate::gpu::{Gpu, GpuError, Kernel, Program};
+use crate::scene::{Environment, Scene};
+use compiled::CompiledKernels;
+
+/// Everything that does not change from frame to frame: scene, BVH and lights, which are the
+/// [`Plan`], and device, kernels and the buffers of the scene.
+#[derive(Debug)]
+pub struct Prepared {
+    /// What is known without the device.
+    plan: Plan,
+    /// The device.
+    pub gpu: Gpu,
+    /// Time spent on linking and compiling shaders, and on uploading the scene.
+    pub pipelines_time: Duration,
+    kernels: CompiledKernels,
+    tables: Vec<tables::Table>,
+    /// The lights of each kind.
+    pub light_tables: Vec<(LightKind, wgpu::Buffer)>,
+    environment_texels: Option<wgpu::Buffer>,
+}
+
+impl Prepared {
+    /// Builds the BVH, uploads the scene, and links the shaders that the scene and the
+    /// settings need. Frames with other settings link what more they need.
+    ///
+    /// # Errors
+    /// The device fails, or the scene does not fit it.
+    pub fn new(gpu: Gpu, scene: Scene, settings: &Settings) -> Result<Self, GpuError> {
+        tables::check(&gpu, &scene, Plan::features(&scene, settings))?;
+        let start = Instant::now();
+        let plan = Plan::new(scene, settings, gpu.has_subgroups());
+        let lights = &plan.lights;
+        let mut prepared = Self {
+            tables: tables::upload(&gpu, &plan.scene, &plan.bvh, plan.features)?,
+            light_tables: plan
+                .kinds_with_tables()
+                .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
+                .collect::<Result<_, GpuError>>()?,
+            environment_texels: match &plan.scene.environment {
+                Some(Environment { image: Some(image), .. }) if plan.features.sky.shines() => {
+                    Some(gpu.storage_of("environment image", &image.texels)?)
+                }
+                _ => None,
+            },
+            kernels: CompiledKernels::default(),
+            pipelines_time: Duration::ZERO,
+            gpu,
+            plan,
+        };
+        prepared.compile(settings)?;
+        prepared.pipelines_time = start.elapsed().saturating_sub(prepared.bvh_time);
+        Ok(prepared)
+    }
+
+    /// Compiles what settings need.
+    fn compile(&self, settings: &Settings) -> Result<(), GpuError> {
+        self.programs(settings).into_iter().try_for_each(|program| {
+            self.kernels.get(&self.gpu, program)?;
+            Ok(())
+        })
+    }
+
+    /// The kernel of a program, compiled at most once.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn kernel(&self, program: Program) -> Result<Arc<Kernel>, GpuError> {
+        self.kernels.get(&self.gpu, self.complete(program))
+    }
+
+    /// The buffers of the scene, by the names by which shaders know them.
+    pub fn named(&self) -> impl Iterator<Item = (&str, &wgpu::Buffer)> {
+        let is = |(kind, _): &&(LightKind, wgpu::Buffer)| *kind == LightKind::Environment;
+        let environment = self.light_tables.iter().find(is).map(|(_, of)| ("environment", of));
+        let texels = self.environment_texels.iter().map(|of| ("environment_texels", of));
+        self.tables.iter().map(|(name, of)| (*name, of)).chain(environment).chain(texels)
+    }
+
+    /// Bytes of the scene's buffers on the device.
+    pub fn table_bytes(&self) -> u64 {
+        let lights = self.light_tables.iter().map(|(_, buffer)| buffer);
+        let tables = self.tables.iter().map(|(_, buffer)| buffer).chain(lights);
+        tables.chain(&self.environment_texels).map(wgpu::Buffer::size).sum()
+    }
+
+    /// Features that no shader module linked so far serves.
+    pub fn left_out(&self) -> Vec<&'static str> {
+        self.kernels.left_out()
+    }
+}
+
+impl Deref for Prepared {
+    type Target = Plan;
+
+    fn deref(&self) -> &Plan {
+        &self.plan
+    }
+}
