@@ -39,7 +39,7 @@
 //!
 //! [`render::Method::Path`] goes another way, as a reference for this one: paths from the camera,
 //! in `src/render/path.rs`, share scene, hierarchy and random numbers with it, but no light
-//! transport; bias compensation alone borrows its passes.
+//! transport; bias compensation alone borrows its stages.
 //!
 //! A kernel is an ordered list of the files in `shaders/`, chosen by what the scene and the
 //! settings need; the list is in one place, `src/render/kernels.rs`.

@@ -36,7 +36,7 @@ pub use result::{Counts, Frame, Phases, Progress};
 pub use settings::{
     Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings, Sharing,
 };
-pub use virtual_light::{Gloss, VirtualLight};
+pub use virtual_light::{GlossyLobe, VirtualLight};
 pub use vpls::{LightPaths, Vpl, light_paths};
 
 use camera::FrameSetup;

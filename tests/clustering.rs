@@ -9,7 +9,7 @@ use glam::{DVec3, Vec3};
 use gpu_vpl::gpu::Gpu;
 use gpu_vpl::image::Image;
 use gpu_vpl::render::{
-    Bounces, Clustering, Direct, Gloss, Merge, Method, Prepared, Representative, Settings,
+    Bounces, Clustering, Direct, GlossyLobe, Merge, Method, Prepared, Representative, Settings,
     VirtualLight, VplClusters,
 };
 
@@ -215,7 +215,8 @@ fn glossy_lights_merge_with_their_like() {
             let specular = Vec3::new(random.unit(), random.unit(), random.unit());
             let mirrored = (ways[random.below(3)] + 0.1 * random.cube()).normalize();
             let material = random.below(3) as u32;
-            let gloss = Gloss { material, specular, shininess: 10.0 * material as f32, mirrored };
+            let gloss =
+                GlossyLobe { material, specular, shininess: 10.0 * material as f32, mirrored };
             let diffuse = VirtualLight::diffuse(random.cube(), Vec3::Z, 2.0 * specular);
             // The last material is diffuse.
             VirtualLight { gloss: (material < 2).then_some(gloss), ..diffuse }

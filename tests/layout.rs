@@ -86,7 +86,7 @@ fn records() -> Vec<Record> {
         record!(MaterialRecord as "Material" { albedo, two_sided, emission, pad }),
         record!(PointRecord as "Point" { position, surface, normal, depth }),
         record!(VplRecord as "Vpl" { position, pad0, normal, pad1, intensity, mean }),
-        record!(FinishRecord as "Finish" { specular, kind, parameter, gloss, pad }),
+        record!(FinishRecord as "Finish" { specular, kind, parameter, lobe_probability, pad }),
         record!(GlossyVplRecord as "GlossyVpl" {
             position, shininess, normal, peak, intensity, mean, specular, specular_mean, mirrored,
             pad,
@@ -129,7 +129,7 @@ fn records() -> Vec<Record> {
         record!(CompensatedParams as "CompensatedParams" { points, share, lobe, paths }),
         record!(ArrivalRecord as "Arrival" { diffuse, diffuse_g, glossy, glossy_g }),
         record!(InterleaveParams as "InterleaveParams" {
-            width, height, s, rotation, subset_width, subset_points, points, pass_number,
+            width, height, s, rotation, subset_width, subset_points, points, axis,
         }),
     ]
 }

@@ -12,10 +12,12 @@ use common::{Rng, open_gpu};
 use glam::Vec3;
 use gpu_vpl::gpu::{Module, Pass, Program};
 use gpu_vpl::render::kernels::catalogue::{
-    FINISH, GATHERED_PHONG, GLASS, HEMISPHERE, LOBE_ENERGY, LOBES_PHONG, MIRROR, PHONG,
-    SCATTER_PHONG, TURN, TURN_EITHER, TYPES, VIEW_KEPT,
+    BSDF, GATHERED_PHONG, GLASS, HEMISPHERE, LOBE_ENERGY, LOBES_PHONG, MIRROR, PHONG,
+    SAMPLE_SPECULAR_EITHER, SCATTER_PHONG, SPECULAR_SAMPLE, TYPES, VIEW_DIRECTION,
 };
-use gpu_vpl::render::materials::bsdf::{Carried, Place, finish_record, fresnel, gloss, turn};
+use gpu_vpl::render::materials::bsdf::{
+    ShadingPoint, TransportMode, finish_record, fresnel, lobe_probability, sample_specular,
+};
 use gpu_vpl::sampling::{cosine_hemisphere, uniform_sphere};
 use gpu_vpl::scene::{Finish, Material};
 
@@ -27,13 +29,13 @@ fn phong(specular: f32, shininess: f32) -> Finish {
     Finish::Phong { specular: Vec3::splat(specular), shininess }
 }
 
-fn place(albedo: f32, finish: Finish) -> Place {
-    let gloss = gloss(&material(albedo, finish));
-    Place { normal: Vec3::Z, albedo: Vec3::splat(albedo), finish, gloss }
+fn place(albedo: f32, finish: Finish) -> ShadingPoint {
+    let lobe_probability = lobe_probability(&material(albedo, finish));
+    ShadingPoint { normal: Vec3::Z, albedo: Vec3::splat(albedo), finish, lobe_probability }
 }
 
 /// The BSDFs with a density, from dull to sharp.
-fn places() -> Vec<Place> {
+fn places() -> Vec<ShadingPoint> {
     vec![
         place(0.7, Finish::Diffuse),
         place(0.3, phong(0.5, 0.0)),
@@ -60,7 +62,7 @@ fn brdfs_are_reciprocal() {
 }
 
 /// Reflected share of white light that comes from everywhere, by quadrature over the hemisphere.
-fn reflectance(place: &Place, view: Vec3) -> f64 {
+fn reflectance(place: &ShadingPoint, view: Vec3) -> f64 {
     let (rows, columns) = (400, 800);
     let mut sum = 0.0;
     for i in 0..rows {
@@ -111,20 +113,23 @@ fn glass_and_mirrors_lose_nothing() {
                 let eta = if front { ior } else { 1.0 / ior };
                 let reflected = fresnel(cosine, eta);
                 assert!((0.0..=1.0).contains(&reflected));
-                for (u, carried) in
-                    [(0.0, Carried::Flux), (0.9999, Carried::Flux), (0.9999, Carried::Radiance)]
-                {
-                    let turned = turn(&glass, normal, front, direction, u, carried).unwrap();
-                    assert_eq!(turned.reflected, u < reflected);
-                    let dense = !turned.reflected && carried == Carried::Radiance;
+                for (u, carried) in [
+                    (0.0, TransportMode::Flux),
+                    (0.9999, TransportMode::Flux),
+                    (0.9999, TransportMode::Radiance),
+                ] {
+                    let sample =
+                        sample_specular(&glass, normal, front, direction, u, carried).unwrap();
+                    assert_eq!(sample.reflected, u < reflected);
+                    let dense = !sample.reflected && carried == TransportMode::Radiance;
                     let weight = if dense { 1.0 / (eta * eta) } else { 1.0 };
-                    assert!((turned.weight.x / weight - 1.0).abs() < 1e-6);
-                    if !turned.reflected {
+                    assert!((sample.weight.x / weight - 1.0).abs() < 1e-6);
+                    if !sample.reflected {
                         // Snell: the tangential part over the index is kept.
-                        assert!((turned.direction.x * eta - direction.x).abs() < 1e-5);
-                        assert!(turned.direction.z < 0.0);
+                        assert!((sample.direction.x * eta - direction.x).abs() < 1e-5);
+                        assert!(sample.direction.z < 0.0);
                         // Stokes: as much goes through from the other side.
-                        let back = fresnel(-turned.direction.z, 1.0 / eta);
+                        let back = fresnel(-sample.direction.z, 1.0 / eta);
                         assert!((back - reflected).abs() < 2e-3, "{ior} {cosine}");
                     }
                 }
@@ -133,15 +138,16 @@ fn glass_and_mirrors_lose_nothing() {
     }
     let mirror = Finish::Mirror { specular: Vec3::splat(0.9) };
     let direction = Vec3::new(0.6, 0.0, -0.8);
-    let turned = turn(&mirror, normal, true, direction, 0.5, Carried::Radiance).unwrap();
-    assert_eq!((turned.direction, turned.weight), (Vec3::new(0.6, 0.0, 0.8), Vec3::splat(0.9)));
+    let sample =
+        sample_specular(&mirror, normal, true, direction, 0.5, TransportMode::Radiance).unwrap();
+    assert_eq!((sample.direction, sample.weight), (Vec3::new(0.6, 0.0, 0.8), Vec3::splat(0.9)));
     // Straight on, (n - 1)² / (n + 1)²; at Brewster's angle half of that across.
     assert!((fresnel(1.0, 1.5) - 0.04).abs() < 1e-6);
     assert!((fresnel(0.0, 1.5) - 1.0).abs() < 1e-6);
 }
 
 /// Pearson's χ² over cells of the sphere, of so many draws against the integral of the density.
-fn chi_squared(place: &Place, view: Vec3) -> (f64, f64) {
+fn chi_squared(place: &ShadingPoint, view: Vec3) -> (f64, f64) {
     const ROWS: usize = 20;
     const COLUMNS: usize = 40;
     const DRAWS: u32 = 400_000;
@@ -255,16 +261,16 @@ fn the_device_scatters_as_the_host() {
         &TYPES,
         &HEMISPHERE,
         &GATHERED_PHONG,
-        &VIEW_KEPT,
-        &FINISH,
+        &VIEW_DIRECTION,
+        &BSDF,
         &PHONG,
         &LOBE_ENERGY,
         &LOBES_PHONG,
         &SCATTER_PHONG,
-        &TURN,
+        &SPECULAR_SAMPLE,
         &MIRROR,
         &GLASS,
-        &TURN_EITHER,
+        &SAMPLE_SPECULAR_EITHER,
         &MAIN,
     ];
     let materials: Vec<Material> = [
@@ -313,19 +319,20 @@ fn the_device_scatters_as_the_host() {
         let [normal, direction, toward] =
             [query.normal, query.direction, query.toward].map(Vec3::from_array);
         let front = query.surface >> 31 == 1;
-        let place = Place {
+        let place = ShadingPoint {
             normal,
             albedo: material.albedo,
             finish: material.finish,
-            gloss: gloss(material),
+            lobe_probability: lobe_probability(material),
         };
         if material.finish.is_specular() {
-            let carried = Carried::Radiance;
-            let turned =
-                turn(&material.finish, normal, front, direction, query.u, carried).unwrap();
-            assert_eq!(answer.side > 0.0, turned.reflected);
-            assert!(Vec3::from_array(answer.turned).distance(turned.direction) < 1e-4);
-            assert!((answer.turned_weight / turned.weight.x - 1.0).abs() < 1e-5);
+            let carried = TransportMode::Radiance;
+            let sample =
+                sample_specular(&material.finish, normal, front, direction, query.u, carried)
+                    .unwrap();
+            assert_eq!(answer.side > 0.0, sample.reflected);
+            assert!(Vec3::from_array(answer.turned).distance(sample.direction) < 1e-4);
+            assert!((answer.turned_weight / sample.weight.x - 1.0).abs() < 1e-5);
             continue;
         }
         // A view of 16 bits a coordinate moves a lobe of 300 by 1 % where it is steep.

@@ -36,7 +36,7 @@ fn main(
     let point = points[own];
     let is = id.x == own && pixel.x < params.width && pixel.y < params.height;
     var edge = false;
-    let own_throughput = kept_throughput(own);
+    let own_throughput = stored_throughput(own);
     if own_throughput.w > 0.0 { edge = true; }
     for (var i = 0u; i < 9u; i++) { edge = edge || !alike(point, points[around(pixel, own, i)]); }
 
@@ -48,11 +48,11 @@ fn main(
     for (var ray = params.first_ray; ray < params.first_ray + rays; ray++) {
         let index = ray * params.samples + params.sample;
         let direction = camera_direction(pixel, stratified(index, 1.0 / f32(all), stream));
-        let sight = follow(
+        let chain = trace_specular_chain(
             params.position, direction, limit, params.nodes, params.offset, index, stream,
             invocation,
         );
-        let seen = hit_point(sight.hit, sight.direction);
+        let seen = hit_point(chain.hit, chain.direction);
         // The nearest on the same surface; if there is none, the nearest of all.
         var best = own;
         var least = HUGE;
@@ -65,7 +65,7 @@ fn main(
             best = select(best, index, distance < least);
             least = min(least, distance);
         }
-        sum += seen_by_ray(seen, radiance[best].rgb) * throughput_of(sight);
+        sum += seen_by_ray(seen, radiance[best].rgb) * throughput_of(chain);
     }
     let share = f32(params.rays) / f32(params.edge_rays);
     let result = select(radiance[own].rgb * own_throughput.rgb * share, sum / f32(params.edge_rays), edge);

@@ -8,5 +8,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= arrayLength(&film) { return; }
     let point = points[id.x];
     if point.surface != NOTHING { return; }
-    film[id.x] += vec4f(background(point.normal) * kept_throughput(id.x).rgb, 0.0);
+    film[id.x] += vec4f(background(point.normal) * stored_throughput(id.x).rgb, 0.0);
 }

@@ -11,7 +11,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if surface == NOTHING { return; }
     let material = materials[surface & ~FRONT];
     if (surface & FRONT) != 0u || material.two_sided != 0u {
-        let emitted = material.emission * glow_of(id.x);
-        film[id.x] += vec4f(emitted * kept_throughput(id.x).rgb, 0.0);
+        let emitted = material.emission * emission_scale_of(id.x);
+        film[id.x] += vec4f(emitted * stored_throughput(id.x).rgb, 0.0);
     }
 }

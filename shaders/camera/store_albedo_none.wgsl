@@ -1,3 +1,3 @@
-// The albedo of points is that of their materials: there is nothing to keep.
+// The albedo of points is that of their materials: there is nothing to store.
 
-fn keep_albedo(index: u32, hit: Hit, point: Point) {}
+fn store_albedo(index: u32, hit: Hit, point: Point) {}

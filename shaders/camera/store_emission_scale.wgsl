@@ -1,7 +1,7 @@
-// Keeps what varies the emission where a ray has hit, for `glow_of`.
+// Stores what a texture multiplies the emission by where a ray has hit, for `emission_scale_of`.
 
-fn keep_glow(index: u32, hit: Hit, point: Point) {
+fn store_emission_scale(index: u32, hit: Hit, point: Point) {
     if point.surface == NOTHING { return; }
     let material = point.surface & ~FRONT;
-    glows[index] = vec4f(textured(material_textures[material].y, hit), 0.0);
+    emission_scales[index] = vec4f(textured(material_textures[material].y, hit), 0.0);
 }

@@ -1,3 +1,3 @@
-// What is seen is seen as it is.
+// No mirrors or glass: every throughput is 1, and there is nothing to store.
 
-fn keep_throughput(index: u32, sight: Sight) {}
+fn store_throughput(index: u32, chain: SpecularChain) {}

@@ -1,6 +1,7 @@
-// Where a point is seen from: rays start and end on that way, and it decides what a glossy surface
-// shows. It takes the place of the depth, two coordinates of 16 bits: those of Cigolla et al.,
-// "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 2014.
+// The direction from which a point is seen: rays start and end along it, and it decides what a
+// glossy surface shows. It is stored in place of the depth, as two coordinates of 16 bits on an
+// octahedron: Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors",
+// JCGT 2014.
 
 // Exactly -1 or 1.
 fn signs(v: vec2f) -> vec2f {
@@ -8,7 +9,7 @@ fn signs(v: vec2f) -> vec2f {
 }
 
 // The point with a way towards the viewer, of any length.
-fn with_view(point: Point, way: vec3f) -> Point {
+fn with_view_direction(point: Point, way: vec3f) -> Point {
     let v = way / (abs(way.x) + abs(way.y) + abs(way.z));
     let folded = select((1.0 - abs(v.yx)) * signs(v.xy), v.xy, v.z >= 0.0);
     var seen = point;
@@ -17,7 +18,7 @@ fn with_view(point: Point, way: vec3f) -> Point {
 }
 
 // The unit direction towards the viewer.
-fn view_of(point: Point) -> vec3f {
+fn view_direction(point: Point) -> vec3f {
     let v = unpack2x16snorm(bitcast<u32>(point.depth));
     let z = 1.0 - abs(v.x) - abs(v.y);
     let unfolded = select((1.0 - abs(v.yx)) * signs(v), v, z >= 0.0);
@@ -25,7 +26,7 @@ fn view_of(point: Point) -> vec3f {
 }
 
 // Where rays start and end, this far off the surface.
-fn ray_end(point: Point, offset: f32) -> vec3f {
-    let view = view_of(point);
+fn offset_position(point: Point, offset: f32) -> vec3f {
+    let view = view_direction(point);
     return point.position + view * (offset / dot(view, point.normal));
 }

@@ -1,5 +1,5 @@
-// Where no rays start at points, they keep their depth.
+// No view direction: where no rays start at points, their depth is stored.
 
-fn with_view(point: Point, way: vec3f) -> Point {
+fn with_view_direction(point: Point, way: vec3f) -> Point {
     return point;
 }

@@ -17,16 +17,16 @@ fn main(
     let direction = camera_direction(pixel, inside);
     let limit = select(0.0, HUGE, is);
     let stream = camera_stream(pixel);
-    let sight = follow(
+    let chain = trace_specular_chain(
         params.position, direction, limit, params.nodes, params.offset, params.sample, stream,
         invocation,
     );
-    if sight.hit.triangle != NOTHING { film[id.x].w += 1.0; }
+    if chain.hit.triangle != NOTHING { film[id.x].w += 1.0; }
     if id.x < params.blocks * 64u {
-        let point = hit_point(sight.hit, sight.direction);
-        points[id.x] = with_view(point, way_back(point, sight.direction, params.offset));
-        keep_albedo(id.x, sight.hit, point);
-        keep_glow(id.x, sight.hit, point);
-        keep_throughput(id.x, sight);
+        let point = hit_point(chain.hit, chain.direction);
+        points[id.x] = with_view_direction(point, ray_offset(point, chain.direction, params.offset));
+        store_albedo(id.x, chain.hit, point);
+        store_emission_scale(id.x, chain.hit, point);
+        store_throughput(id.x, chain);
     }
 }

@@ -1,5 +1,5 @@
 // The order of the points of an image: blocks of 8 x 8 pixels in rows, Morton order inside, so
-// that neighbouring points are neighbouring pixels. The twin of src/render/film.rs.
+// that neighbouring points are neighbouring pixels. The twin of src/render/camera/tiling.rs.
 
 fn pixel_of(point: u32, first_block: u32, width: u32) -> vec2u {
     let across = (width + 7u) / 8u;

@@ -5,7 +5,7 @@ alias Carried = vec3f;
 
 // What goes on from the vertex of a path in a direction that was drawn; from a visible point, of
 // which irradiance is sought, as from one that weighs it by 1.
-fn carried_on(slot: u32, point: Point, albedo: vec3f, drawn: Scattered) -> Carried {
+fn carried_on(slot: u32, point: Point, albedo: vec3f, drawn: BsdfSample) -> Carried {
     if params.bounce == 0u { return vec3f(1.0 / drawn.density); }
     return paths[slot].throughput * drawn.weight;
 }
@@ -16,12 +16,12 @@ fn all_carried(carried: Carried) -> vec3f {
 
 // What arrives at the next vertex by a segment of this geometry term; whether it is anything.
 fn arrive(slot: u32, carried: Carried, next: Point, throughput: vec3f, g: f32) -> bool {
-    let left = carried * throughput * removed_share(g);
+    let left = carried * throughput * clamped_share(g);
     paths[slot].throughput = left;
     return max(left.x, max(left.y, left.z)) > 0.0;
 }
 
-// No light from farther away is removed: G <= cos / d^2 <= b.
+// No light from farther away is clamped: G <= cos / d^2 <= b.
 fn farthest(point: Point, direction: vec3f) -> f32 {
     return sqrt(max(dot(point.normal, direction), 0.0) / params.bound);
 }

@@ -22,15 +22,15 @@ fn lobe_over_diffuse(point: Point, toward: vec3f) -> f32 {
 }
 
 // The throughput of light that the vertex reflects by a lobe of this value.
-fn removed_by(slot: u32, here: f32) -> vec3f {
+fn clamped_by(slot: u32, here: f32) -> vec3f {
     let arrival = arrivals[slot];
-    return arrival.diffuse * removed_share(arrival.diffuse_g * here)
-        + arrival.glossy * removed_share(arrival.glossy_g * here);
+    return arrival.diffuse * clamped_share(arrival.diffuse_g * here)
+        + arrival.glossy * clamped_share(arrival.glossy_g * here);
 }
 
 // What goes on from the vertex of a path in a direction that was drawn; from a visible point, of
 // which the irradiance that one lobe weighs is sought, by that lobe.
-fn carried_on(slot: u32, point: Point, albedo: vec3f, drawn: Scattered) -> Carried {
+fn carried_on(slot: u32, point: Point, albedo: vec3f, drawn: BsdfSample) -> Carried {
     let here = lobe_over_diffuse(point, drawn.direction);
     let above = dot(point.normal, drawn.direction) > 0.0;
     let weight = select(0.0, 1.0 / (PI * drawn.density), above);
@@ -39,9 +39,9 @@ fn carried_on(slot: u32, point: Point, albedo: vec3f, drawn: Scattered) -> Carri
         return Arrival(vec3f(sought.x), 1.0, vec3f(here * sought.y), here);
     }
     return Arrival(
-        removed_by(slot, 1.0) * albedo * weight,
+        clamped_by(slot, 1.0) * albedo * weight,
         1.0,
-        removed_by(slot, here) * specular_of(point) * (here * weight),
+        clamped_by(slot, here) * specular_of(point) * (here * weight),
         here,
     );
 }
@@ -59,8 +59,8 @@ fn arrive(slot: u32, carried: Carried, next: Point, throughput: vec3f, g: f32) -
     );
     arrivals[slot] = arrival;
     let peak = max(receiver_of(next).peak, 1.0);
-    let most = arrival.diffuse * removed_share(arrival.diffuse_g * peak)
-        + arrival.glossy * removed_share(arrival.glossy_g * peak);
+    let most = arrival.diffuse * clamped_share(arrival.diffuse_g * peak)
+        + arrival.glossy * clamped_share(arrival.glossy_g * peak);
     return max(most.x, max(most.y, most.z)) > 0.0;
 }
 
@@ -70,7 +70,7 @@ fn farthest(point: Point, direction: vec3f) -> f32 {
 }
 
 fn gathered_back(slot: u32, point: Point, toward: vec3f, gathered: Gathered) -> vec3f {
-    let diffuse = removed_by(slot, 1.0) * gathered[0].rgb * albedo_of(slot, point);
+    let diffuse = clamped_by(slot, 1.0) * gathered[0].rgb * albedo_of(slot, point);
     let here = lobe_over_diffuse(point, toward);
-    return (diffuse + removed_by(slot, here) * gathered[1].rgb * specular_of(point)) / PI;
+    return (diffuse + clamped_by(slot, here) * gathered[1].rgb * specular_of(point)) / PI;
 }

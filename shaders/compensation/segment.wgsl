@@ -8,7 +8,7 @@
 @group(0) @binding(24) var<storage, read_write> survivors: array<u32>;
 
 // A geometry term above any bound, and any pair of lobes times it is finite.
-const ALL_REMOVED = 1e20;
+const ALL_CLAMPED = 1e20;
 
 // The geometry term between two points.
 fn geometry(here: Point, there: Point) -> f32 {
@@ -37,27 +37,27 @@ fn main(
     let is = id.x < params.paths && lives;
     let first = params.bounce == 0u;
     // A segment from the visible point finds no light; the slack is of where the ray starts.
-    let slack = 4.0 * distance(ray_end(point, params.offset), point.position);
+    let slack = 4.0 * distance(offset_position(point, params.offset), point.position);
     let far = min(1.01 * farthest(point, drawn.direction) + slack, HUGE);
     let limit = select(0.0, select(HUGE, far, first), is);
-    let sight = follow_path(slot, stream, point, drawn.direction, limit, invocation);
-    let hit = sight.hit;
-    let throughput = throughput_of(sight) / probability;
-    let density = found_density(point, drawn, sight);
+    let chain = follow_path(slot, stream, point, drawn.direction, limit, invocation);
+    let hit = chain.hit;
+    let throughput = throughput_of(chain) / probability;
+    let density = found_density(point, drawn, chain);
     var goes_on = false;
     if is && hit.triangle != NOTHING {
-        let next = hit_point(hit, sight.direction);
-        // The light of virtual point lights comes by no mirror: nothing is removed of what a
+        let next = hit_point(hit, chain.direction);
+        // The light of virtual point lights comes by no mirror: nothing is clamped of what a
         // vertex sees in one, and the visible point has none of it.
-        let turned = select(ALL_REMOVED, 0.0, first);
-        let g = select(geometry(point, next), turned, is_turned(sight));
-        keep_albedo(slot, hit, next);
-        keep_glow(slot, hit, next);
-        find_emission(slot, all * throughput, point, hit, next, sight.direction, density);
+        let turned = select(ALL_CLAMPED, 0.0, first);
+        let g = select(geometry(point, next), turned, is_specular(chain));
+        store_albedo(slot, hit, next);
+        store_emission_scale(slot, hit, next);
+        find_emission(slot, all * throughput, point, hit, next, chain.direction, density);
         goes_on = arrive(slot, carried, next, throughput, g);
-        points[slot] = with_view(next, way_back(next, sight.direction, params.offset));
+        points[slot] = with_view_direction(next, ray_offset(next, chain.direction, params.offset));
     } else if is {
-        find_background(slot, all * throughput, sight.direction, density);
+        find_background(slot, all * throughput, chain.direction, density);
     }
     if id.x < params.paths { survivors[id.x] = select(NOTHING, slot, goes_on); }
 }

@@ -49,7 +49,7 @@ fn main(
     let vpl = vpls[chosen];
     let is = id.x < params.paths && given > 0.0;
     let origin = vpl.position + params.offset * vpl.normal;
-    let end = ray_end(point, params.offset);
+    let end = offset_position(point, params.offset);
     let limit = select(0.0, 1.0, is);
     let hit = traverse(origin, end - origin, limit, params.nodes, true, invocation);
     if is && hit.triangle == NOTHING {

@@ -1,4 +1,4 @@
-// The place on the lights that a shadow ray goes to: one drawn by power, where lights are few.
+// Light sampling: a place on the lights, drawn by power, where lights are few.
 
 struct Drawn {
     light: LightSample,

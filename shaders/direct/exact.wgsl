@@ -8,7 +8,7 @@ fn main(
 ) {
     let point = points[min(id.x, params.points - 1u)];
     let is = id.x < params.points && point.surface != NOTHING;
-    let origin = ray_end(point, params.offset);
+    let origin = offset_position(point, params.offset);
     var sum = Gathered();
     for (var i = params.first; i < params.first + params.count; i++) {
         let light = light_of(i, point, params.offset);

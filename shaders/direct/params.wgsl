@@ -1,4 +1,4 @@
-// What the passes of direct light share.
+// Parameters and buffers of the stages of direct light.
 
 struct DirectParams {
     points: u32,

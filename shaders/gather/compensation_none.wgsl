@@ -1,9 +1,9 @@
-// Nothing is given back of what the bound on the geometry term removes.
+// No bias compensation: nothing is added for what the bound on the geometry term takes.
 
-fn with_given_back(point: u32, light: Gathered) -> Gathered {
+fn with_compensation(point: u32, light: Gathered) -> Gathered {
     return light;
 }
 
-fn without_given_back(point: u32, light: Gathered) -> Gathered {
+fn without_compensation(point: u32, light: Gathered) -> Gathered {
     return light;
 }

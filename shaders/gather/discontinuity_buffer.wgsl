@@ -32,7 +32,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let pixel = pixel_of(id.x, 0u, params.width);
     let at = i32(pixel.y * params.width + pixel.x);
     // Along rows, then along columns.
-    let along_rows = params.pass_number == 0u;
+    let along_rows = params.axis == 0u;
     let stride = select(i32(params.width), 1, along_rows);
     let place = i32(select(pixel.y, pixel.x, along_rows));
     let extent = i32(select(params.height, params.width, along_rows));
@@ -58,7 +58,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         sum += tap * (1.0 / max(weights, 1.0));
         subsets += min(weights, 1.0);
     }
-    // What the clamp removed is summed over the image only, and stays with its pixel.
-    let result = with_removed(sum * (1.0 / max(subsets, 1e-30)), gathered[at]);
+    // What the clamp took is summed over the image only, and stays with its pixel.
+    let result = with_clamped(sum * (1.0 / max(subsets, 1e-30)), gathered[at]);
     combined[select(id.x, u32(at), along_rows)] = result;
 }

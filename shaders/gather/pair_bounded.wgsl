@@ -1,9 +1,9 @@
-// The bound on the geometry term: what is kept, and what is removed.
+// The bound on the geometry term: what is below it, and what the clamp takes.
 
-fn kept(g: f32, bound: f32) -> f32 {
+fn bounded_geometry(g: f32, bound: f32) -> f32 {
     return min(g, bound);
 }
 
-fn removed(g: f32, bound: f32) -> f32 {
+fn clamped_geometry(g: f32, bound: f32) -> f32 {
     return max(g - bound, 0.0);
 }

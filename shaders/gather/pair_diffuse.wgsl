@@ -7,7 +7,7 @@ fn pair(x: Point, position: vec3f, normal: vec3f, light: vec4f, seen: Seen, bit:
     let cosines = max(dot(d, x.normal), 0.0) * max(facing(-d, normal), 0.0);
     // Never 0 / 0: a VPL at the point itself has cosines 0 and gives nothing.
     let g = cosines / max(square * square, 1e-37);
-    return light * shown(vec2f(kept(g, params.bound), removed(g, params.bound)), seen, bit).xxxy;
+    return light * shown(vec2f(bounded_geometry(g, params.bound), clamped_geometry(g, params.bound)), seen, bit).xxxy;
 }
 
 fn pair_of(x: Receiver, vpl: Vpl, seen: Seen, bit: u32) -> Gathered {

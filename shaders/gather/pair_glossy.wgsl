@@ -20,5 +20,5 @@ fn pair_of(x: Receiver, vpl: Vpl, seen: Seen, bit: u32) -> Gathered {
 }
 
 fn bounded(light: vec4f, g: f32) -> vec4f {
-    return light * vec2f(kept(g, params.bound), removed(g, params.bound)).xxxy;
+    return light * vec2f(bounded_geometry(g, params.bound), clamped_geometry(g, params.bound)).xxxy;
 }

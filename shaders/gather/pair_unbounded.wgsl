@@ -1,9 +1,9 @@
 // No bound on the geometry term.
 
-fn kept(g: f32, bound: f32) -> f32 {
+fn bounded_geometry(g: f32, bound: f32) -> f32 {
     return g;
 }
 
-fn removed(g: f32, bound: f32) -> f32 {
+fn clamped_geometry(g: f32, bound: f32) -> f32 {
     return 0.0;
 }

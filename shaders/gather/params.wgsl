@@ -1,4 +1,5 @@
-// The pass that adds up, at every point, the irradiance from the VPLs that its row sees.
+// Parameters and buffers of shading, the stage that adds up, at every point, the irradiance from
+// the VPLs that its row sees.
 
 struct ShadeParams {
     points: u32,
@@ -15,5 +16,5 @@ struct ShadeParams {
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
 @group(0) @binding(6) var<storage, read> bits: array<u32>;
-// In w, the mean of the channels that the bound removed.
+// In w, the mean of the channels that the bound took.
 @group(0) @binding(7) var<storage, read_write> irradiance: array<Gathered>;

@@ -1,6 +1,7 @@
 // Shading together. A lane holds 4 points. Eight lanes load eight VPLs together, one each, and
-// broadcast them, so that a VPL is loaded once for 32 pairs. What none of them sees is skipped. No lane returns early: a subgroup
-// shares its loads. The adapter may have subgroups of any width from 8.
+// broadcast them, so that a VPL is loaded once for 32 pairs. What none of them sees is skipped. No
+// lane returns early: a subgroup shares its loads. The adapter may have subgroups of any width from
+// 8.
 
 @compute @workgroup_size(64)
 fn main(

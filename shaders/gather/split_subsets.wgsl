@@ -1,7 +1,7 @@
 // Visible points from the order of pixels into that of subsets.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(16) var<storage, read_write> separated: array<Point>;
+@group(0) @binding(16) var<storage, read_write> split_points: array<Point>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -13,5 +13,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let is = all(pixel < vec2u(params.width, params.height));
     var point = points[point_of(min(pixel, vec2u(params.width, params.height) - 1u), params.width)];
     if !is { point.surface = NOTHING; }
-    separated[id.x] = point;
+    split_points[id.x] = point;
 }

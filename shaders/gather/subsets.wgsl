@@ -1,6 +1,6 @@
-// What the passes of interleaved sampling share. The pixels of a tile fall into s x s subsets,
-// by their place modulo s; all pixels of a subset gather the same VPLs. Points in the order of
-// subsets are, subset after subset, the images of those pixels alone.
+// Parameters of the stages of interleaved sampling, and what a subset is. The pixels of a tile fall
+// into s x s subsets, by their place modulo s; all pixels of a subset gather the same VPLs. Points
+// in the order of subsets are, subset after subset, the images of those pixels alone.
 
 struct InterleaveParams {
     // Of the tile, in pixels.
@@ -15,7 +15,7 @@ struct InterleaveParams {
     // Points in the order of subsets.
     points: u32,
     // Of the two that combine.
-    pass_number: u32,
+    axis: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: InterleaveParams;

@@ -1,4 +1,4 @@
-// Emitting triangles: the light by its power, a place on it as draw_place does.
+// Emitting triangles: the light by its power, a place on it as sample_triangle does.
 
 struct AreaLight {
     corner: vec3f,
@@ -16,7 +16,7 @@ struct AreaLight {
 @group(0) @binding(9) var<storage, read> lights: array<AreaLight>;
 
 // A place on a light.
-struct Place {
+struct TriangleSample {
     // Of the corners.
     weights: vec3f,
     // In which it was drawn uniformly; 0 if it was on the area of the light.
@@ -24,9 +24,9 @@ struct Place {
 }
 
 // Uniform on the light. The square root makes the density uniform and keeps strata whole.
-fn uniform_place(light: AreaLight, u: vec2f) -> Place {
+fn uniform_on_triangle(light: AreaLight, u: vec2f) -> TriangleSample {
     let root = sqrt(u.x);
-    return Place(vec3f(1.0 - root, root * (1.0 - u.y), root * u.y), 0.0);
+    return TriangleSample(vec3f(1.0 - root, root * (1.0 - u.y), root * u.y), 0.0);
 }
 
 // A place on the lights.
@@ -35,7 +35,7 @@ fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> Light
     let index = choose_light(u.x, light_count);
     let light = lights[index];
     u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
-    let place = draw_place(point, light, u);
+    let place = sample_triangle(point, light, u);
     let on_light =
         light.corner + light.edge1 * place.weights.y + light.edge2 * place.weights.z;
     let to_light = on_light - point.position;
@@ -51,10 +51,10 @@ fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> Light
     // As far before the light as it starts before the point.
     let end = on_light + light.normal * (sign(facing) * offset);
     return LightSample(
-        end - ray_end(point, offset),
+        end - offset_position(point, offset),
         1.0,
         cosine > 0.0 && emitted > 0.0,
-        light.radiance * light_glow(index, place.weights),
+        light.radiance * light_emission_scale(index, place.weights),
         geometry,
         light.probability * density,
     );

@@ -4,7 +4,7 @@
 @group(0) @binding(46) var<storage, read> light_textures: array<vec4u>;
 
 // What the radiance of a light is multiplied by at a place.
-fn light_glow(light: u32, weights: vec3f) -> vec3f {
+fn light_emission_scale(light: u32, weights: vec3f) -> vec3f {
     let used = light_textures[light];
     let uv = texture_coordinates(0u, used.x, weights);
     var glow = vec3f(1.0);

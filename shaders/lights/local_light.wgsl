@@ -8,7 +8,7 @@ fn light_of(index: u32, point: Point, offset: f32) -> LightSample {
     let cosine = dot(to_light, point.normal);
     let intensity = intensity_towards(light, to_light / -distance);
     return LightSample(
-        light.position - ray_end(point, offset),
+        light.position - offset_position(point, offset),
         1.0,
         cosine > 0.0 && any(intensity > vec3f(0.0)),
         intensity,

@@ -39,7 +39,7 @@ fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> Light
     let end = on_light + outward * select(offset, -offset, cone.inside);
     let cosine = dot(direction, point.normal);
     return LightSample(
-        end - ray_end(point, offset),
+        end - offset_position(point, offset),
         1.0,
         cosine > 0.0 && t > 0.0 && (!cone.inside || light.two_sided != 0u),
         light.radiance,

@@ -1,6 +1,6 @@
-// Where on an emitting triangle: uniform on it, as paths may find it by chance with a density that
-// is known by area.
+// Samples an emitting triangle by area: uniform on it, as paths may find it by chance with a
+// density that is known by area.
 
-fn draw_place(point: Point, light: AreaLight, u: vec2f) -> Place {
-    return uniform_place(light, u);
+fn sample_triangle(point: Point, light: AreaLight, u: vec2f) -> TriangleSample {
+    return uniform_on_triangle(light, u);
 }

@@ -1,6 +1,7 @@
-// Where on an emitting triangle: uniform in the directions that it fills, where it is near, so that
-// 1/d² is in no weight; else uniform on it. Arvo, "Stratified Sampling of Spherical Triangles",
-// SIGGRAPH 1995, as in Pharr, Jakob and Humphreys, Physically Based Rendering, 4th edition, 6.5.4.
+// Samples an emitting triangle by solid angle: uniform in the directions that it fills, where it is
+// near, so that 1/d² is in no weight; else uniform on it. Arvo, "Stratified Sampling of Spherical
+// Triangles", SIGGRAPH 1995, as in Pharr, Jakob and Humphreys, Physically Based Rendering, 4th
+// edition, 6.5.4.
 
 // Triangles are near that fill this solid angle. f32 has no better than 1e-6 of it.
 const NEAR = 0.2;
@@ -9,10 +10,10 @@ const SOUND = 1e-3;
 // The volume that a triangle spans with a point in its plane, over the product of their distances.
 const FLAT = 1e-6;
 
-fn draw_place(point: Point, light: AreaLight, u: vec2f) -> Place {
+fn sample_triangle(point: Point, light: AreaLight, u: vec2f) -> TriangleSample {
     let way = light.corner - point.position;
     let solid_angle = solid_angle_of(way, light.edge1, light.edge2);
-    if solid_angle < NEAR { return uniform_place(light, u); }
+    if solid_angle < NEAR { return uniform_on_triangle(light, u); }
     let a = normalize(way);
     let b = normalize(way + light.edge1);
     let c = normalize(way + light.edge2);
@@ -21,7 +22,7 @@ fn draw_place(point: Point, light: AreaLight, u: vec2f) -> Place {
     let ca = normalize(cross(c, a));
     let angle = between(ab, -ca);
     let excess = angle + between(bc, -ab) + between(ca, -bc) - PI;
-    if abs(excess - solid_angle) > SOUND * solid_angle { return uniform_place(light, u); }
+    if abs(excess - solid_angle) > SOUND * solid_angle { return uniform_on_triangle(light, u); }
 
     // The corner that cuts off the share u.x of the triangle, on the side from a to c.
     let share = u.x * excess + PI - angle;
@@ -43,7 +44,7 @@ fn draw_place(point: Point, light: AreaLight, u: vec2f) -> Place {
     let second = -dot(direction, cross(way, light.edge1)) / dot(light.edge1, h);
     let y = clamp(first, 0.0, 1.0);
     let z = clamp(second, 0.0, 1.0 - y);
-    return Place(vec3f(1.0 - y - z, y, z), solid_angle);
+    return TriangleSample(vec3f(1.0 - y - z, y, z), solid_angle);
 }
 
 // Of a triangle by the way to its first corner and two edges: van Oosterom and Strackee, "The Solid

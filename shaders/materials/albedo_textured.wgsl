@@ -1,4 +1,4 @@
-// The albedo of a point that a texture may vary, as `keep_albedo` left it.
+// The albedo of a point that a texture may vary, as `store_albedo` left it.
 
 @group(0) @binding(44) var<storage, read_write> albedos: array<vec4f>;
 

@@ -1,4 +1,4 @@
-// What surfaces reflect beside their diffuse part.
+// The parameters of BSDFs beside their diffuse part.
 
 struct Finish {
     // Phong: k_s; mirror: reflectance; glass: what goes on of the light.
@@ -7,7 +7,7 @@ struct Finish {
     // Phong: shininess; glass: index of refraction of the inside over that of the outside.
     parameter: f32,
     // Phong: with which probability a direction is drawn from the lobe.
-    gloss: f32,
+    lobe_probability: f32,
     pad0: u32,
     pad1: u32,
 }

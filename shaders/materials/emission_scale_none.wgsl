@@ -1,6 +1,6 @@
 // The emission of points is that of their materials.
 
 // What the emission of the point of an index is multiplied by.
-fn glow_of(index: u32) -> vec3f {
+fn emission_scale_of(index: u32) -> vec3f {
     return vec3f(1.0);
 }

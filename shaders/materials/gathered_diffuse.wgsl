@@ -1,5 +1,5 @@
 // What a point gathers where all surfaces are diffuse: irradiance; in w, the mean of the channels
-// that the clamp removed.
+// that the clamp took.
 
 alias Gathered = vec4f;
 
@@ -8,7 +8,7 @@ fn gathered_by(lobe: u32, light: vec4f) -> Gathered {
     return light;
 }
 
-// The light of one, and what was removed from the other.
-fn with_removed(gathered: Gathered, other: Gathered) -> Gathered {
+// The light of one, and what was clamped from the other.
+fn with_clamped(gathered: Gathered, other: Gathered) -> Gathered {
     return vec4f(gathered.rgb, other.w);
 }

@@ -9,7 +9,7 @@ fn gathered_by(lobe: u32, light: vec4f) -> Gathered {
     return Gathered(select(vec4f(0.0), light, lobe == 0u), select(light, vec4f(0.0), lobe == 0u));
 }
 
-// The light of one, and what was removed from the other.
-fn with_removed(gathered: Gathered, other: Gathered) -> Gathered {
+// The light of one, and what was clamped from the other.
+fn with_clamped(gathered: Gathered, other: Gathered) -> Gathered {
     return Gathered(vec4f(gathered[0].rgb, other[0].w), vec4f(gathered[1].rgb, other[1].w));
 }

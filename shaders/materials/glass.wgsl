@@ -1,4 +1,4 @@
-// A smooth dielectric. The twin of `turn` in src/render/scatter.rs.
+// A smooth dielectric. The twin of `sample_specular` in src/render/materials/bsdf.rs.
 
 // Fresnel's reflectance of unpolarised light under a cosine, at an index of refraction of what is
 // beyond over that of what is before.
@@ -13,14 +13,14 @@ fn fresnel(cosine: f32, eta: f32) -> f32 {
 }
 
 // Reflected if u is below Fresnel's reflectance, else refracted.
-fn at_glass(point: Point, finish: Finish, direction: vec3f, u: f32) -> Turned {
+fn at_glass(point: Point, finish: Finish, direction: vec3f, u: f32) -> SpecularSample {
     let cosine = -dot(direction, point.normal);
     let eta = select(1.0 / finish.parameter, finish.parameter, (point.surface & FRONT) != 0u);
     if u < fresnel(cosine, eta) {
-        return Turned(normalize(direction + 2.0 * cosine * point.normal), finish.specular, 1.0);
+        return SpecularSample(normalize(direction + 2.0 * cosine * point.normal), finish.specular, 1.0);
     }
     let beyond = sqrt(max(1.0 - (1.0 - cosine * cosine) / (eta * eta), 0.0));
     let refracted = normalize(direction / eta + (cosine / eta - beyond) * point.normal);
     // Radiance is denser where light is slower.
-    return Turned(refracted, finish.specular / (eta * eta), -1.0);
+    return SpecularSample(refracted, finish.specular / (eta * eta), -1.0);
 }

@@ -1,7 +1,7 @@
-// What a lobe reflects of light, and would reflect of the light that the clamp removed.
+// What a lobe reflects of light, and would reflect of the light that the clamp took.
 
-// Means of the channels, over pi: what is removed would be reflected as the light that is kept, whose
-// noise may be below 0 where some is given back.
+// Means of the channels, over pi: what is clamped would be reflected as the light that is kept,
+// whose noise may be below 0 where some is given back.
 fn lobe_energy(reflectance: vec3f, gathered: vec4f) -> vec2f {
     let mean = (gathered.r + gathered.g + gathered.b) / 3.0;
     let kept = dot(gathered.rgb, reflectance) / 3.0;

@@ -16,7 +16,7 @@ fn reflected(point: Point, albedo: vec3f, gathered: Gathered) -> vec3f {
     return gathered.rgb * albedo / PI;
 }
 
-// Means of the radiance that is reflected, and of that which the clamp removed.
-fn kept_and_removed(point: Point, albedo: vec3f, gathered: Gathered) -> vec2f {
+// Means of the radiance that is reflected, and of that which the clamp took.
+fn reflected_and_clamped(point: Point, albedo: vec3f, gathered: Gathered) -> vec2f {
     return lobe_energy(albedo, gathered);
 }

@@ -33,7 +33,7 @@ fn reflected(point: Point, albedo: vec3f, gathered: Gathered) -> vec3f {
     return (gathered[0].rgb * albedo + gathered[1].rgb * specular_of(point)) / PI;
 }
 
-// Means of the radiance that is reflected, and of that which the clamp removed.
-fn kept_and_removed(point: Point, albedo: vec3f, gathered: Gathered) -> vec2f {
+// Means of the radiance that is reflected, and of that which the clamp took.
+fn reflected_and_clamped(point: Point, albedo: vec3f, gathered: Gathered) -> vec2f {
     return lobe_energy(albedo, gathered[0]) + lobe_energy(specular_of(point), gathered[1]);
 }

@@ -1,6 +1,6 @@
 // An ideal mirror.
 
-fn at_mirror(point: Point, finish: Finish, direction: vec3f) -> Turned {
+fn at_mirror(point: Point, finish: Finish, direction: vec3f) -> SpecularSample {
     let cosine = -dot(direction, point.normal);
-    return Turned(normalize(direction + 2.0 * cosine * point.normal), finish.specular, 1.0);
+    return SpecularSample(normalize(direction + 2.0 * cosine * point.normal), finish.specular, 1.0);
 }

@@ -3,7 +3,7 @@
 
 // The viewer's direction mirrored at the surface.
 fn mirrored_view(point: Point) -> vec3f {
-    let view = view_of(point);
+    let view = view_direction(point);
     return 2.0 * dot(view, point.normal) * point.normal - view;
 }
 

@@ -1,4 +1,4 @@
-// The reflectance of surfaces of every finish; of glass, what goes on of the light.
+// The reflectance of surfaces with any BSDF; of glass, the share of light that goes on.
 
 fn reflectance_of(index: u32, point: Point) -> vec3f {
     return albedo_of(index, point) + finish_of(point).specular;

@@ -1,6 +1,6 @@
-// What turns rays is mirrors or glass.
+// Specular surfaces are mirrors or glass.
 
-fn turn(point: Point, finish: Finish, direction: vec3f, u: f32) -> Turned {
+fn sample_specular(point: Point, finish: Finish, direction: vec3f, u: f32) -> SpecularSample {
     if finish.kind == MIRROR { return at_mirror(point, finish, direction); }
     return at_glass(point, finish, direction, u);
 }

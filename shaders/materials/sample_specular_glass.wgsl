@@ -1,5 +1,5 @@
-// What turns rays is glass.
+// Specular surfaces are glass.
 
-fn turn(point: Point, finish: Finish, direction: vec3f, u: f32) -> Turned {
+fn sample_specular(point: Point, finish: Finish, direction: vec3f, u: f32) -> SpecularSample {
     return at_glass(point, finish, direction, u);
 }

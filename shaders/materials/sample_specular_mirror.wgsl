@@ -1,5 +1,5 @@
-// What turns rays is mirrors.
+// Specular surfaces are mirrors.
 
-fn turn(point: Point, finish: Finish, direction: vec3f, u: f32) -> Turned {
+fn sample_specular(point: Point, finish: Finish, direction: vec3f, u: f32) -> SpecularSample {
     return at_mirror(point, finish, direction);
 }

@@ -1,6 +1,6 @@
 // How a diffuse surface scatters light: BRDF albedo / pi; directions by the cosine.
 
-struct Scattered {
+struct BsdfSample {
     direction: vec3f,
     // BRDF times cosine over the density.
     weight: vec3f,
@@ -18,6 +18,6 @@ fn scatter_density(point: Point, albedo: vec3f, toward: vec3f) -> f32 {
     return 1.0 / PI;
 }
 
-fn scatter(point: Point, albedo: vec3f, u: vec2f) -> Scattered {
-    return Scattered(cosine_hemisphere(point.normal, u), albedo, 1.0 / PI);
+fn scatter(point: Point, albedo: vec3f, u: vec2f) -> BsdfSample {
+    return BsdfSample(cosine_hemisphere(point.normal, u), albedo, 1.0 / PI);
 }

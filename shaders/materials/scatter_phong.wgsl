@@ -1,8 +1,8 @@
 // How a surface with a Phong lobe scatters light: BRDF albedo / pi + k_s (n + 2) / 2 pi cos^n;
 // directions by the cosine, or by cos^n about the mirrored direction. The twin of
-// src/render/scatter.rs.
+// src/render/materials/bsdf.rs.
 
-struct Scattered {
+struct BsdfSample {
     direction: vec3f,
     // BRDF times cosine over the density.
     weight: vec3f,
@@ -23,15 +23,15 @@ fn scatter_density(point: Point, albedo: vec3f, toward: vec3f) -> f32 {
     let n = finish.parameter;
     let gloss = (n + 1.0) / (2.0 * PI) * lobe(mirrored_view(point), toward, n);
     let cosine = max(dot(point.normal, toward), 1e-6);
-    return (1.0 - finish.gloss) / PI + finish.gloss * gloss / cosine;
+    return (1.0 - finish.lobe_probability) / PI + finish.lobe_probability * gloss / cosine;
 }
 
-fn scatter(point: Point, albedo: vec3f, u: vec2f) -> Scattered {
+fn scatter(point: Point, albedo: vec3f, u: vec2f) -> BsdfSample {
     let finish = finish_of(point);
     // One number chooses, and what is left of it is uniform again.
-    let glossy = u.x < finish.gloss;
-    let share = select(1.0 - finish.gloss, finish.gloss, glossy);
-    let rest = vec2f(clamp((u.x - select(finish.gloss, 0.0, glossy)) / share, 0.0, 1.0), u.y);
+    let glossy = u.x < finish.lobe_probability;
+    let share = select(1.0 - finish.lobe_probability, finish.lobe_probability, glossy);
+    let rest = vec2f(clamp((u.x - select(finish.lobe_probability, 0.0, glossy)) / share, 0.0, 1.0), u.y);
     let cosine = pow(1.0 - rest.x, 1.0 / (finish.parameter + 1.0));
     let sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     let turn = 2.0 * PI * rest.y;
@@ -40,5 +40,5 @@ fn scatter(point: Point, albedo: vec3f, u: vec2f) -> Scattered {
     let direction = select(cosine_hemisphere(point.normal, rest), by_lobe, glossy);
     let density = scatter_density(point, albedo, direction);
     let weight = brdf(point, albedo, direction) / density;
-    return Scattered(direction, select(vec3f(0.0), weight, dot(direction, point.normal) > 0.0), density);
+    return BsdfSample(direction, select(vec3f(0.0), weight, dot(direction, point.normal) > 0.0), density);
 }

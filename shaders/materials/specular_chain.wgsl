@@ -1,12 +1,13 @@
-// A ray goes on at mirrors and glass to the first surface that is neither.
+// A specular chain: a ray goes on at mirrors and glass to the first surface that is neither.
 
-struct Sight {
+struct SpecularChain {
     hit: Hit,
     // Of the last segment.
     direction: vec3f,
     // What comes back of the radiance that is seen.
     throughput: vec3f,
-    turned: bool,
+    // Whether mirrors or glass were in the way.
+    specular: bool,
     // Whether chance has chosen between reflection and refraction.
     chosen: bool,
 }
@@ -16,7 +17,7 @@ const MOST_SPECULAR = 32u;
 
 // Point `number` of the sequence of `stream` chooses between reflection and refraction.
 // All invocations of a subgroup must call it together.
-fn follow(
+fn trace_specular_chain(
     origin: vec3f,
     direction: vec3f,
     limit: f32,
@@ -25,8 +26,8 @@ fn follow(
     number: u32,
     stream: u32,
     invocation: u32,
-) -> Sight {
-    var seen = Sight(Hit(limit, NOTHING, vec3f(0.0)), direction, vec3f(1.0), false, false);
+) -> SpecularChain {
+    var seen = SpecularChain(Hit(limit, NOTHING, vec3f(0.0)), direction, vec3f(1.0), false, false);
     var at = origin;
     var reach = limit;
     for (var i = 0u; i <= MOST_SPECULAR; i++) {
@@ -37,13 +38,13 @@ fn follow(
         if reach > 0.0 { seen.hit = hit; }
         if goes_on {
             let u = scrambled(number, hash(stream ^ hash(i + 1u))).x;
-            let turned = turn(point, finish, seen.direction, u);
-            let back = way_back(point, seen.direction, offset);
-            let through = way_through(point, seen.direction, offset);
-            at = point.position + select(through, back, turned.side > 0.0);
-            seen.direction = turned.direction;
-            seen.throughput *= turned.weight;
-            seen.turned = true;
+            let sampled = sample_specular(point, finish, seen.direction, u);
+            let back = ray_offset(point, seen.direction, offset);
+            let through = ray_offset_through(point, seen.direction, offset);
+            at = point.position + select(through, back, sampled.side > 0.0);
+            seen.direction = sampled.direction;
+            seen.throughput *= sampled.weight;
+            seen.specular = true;
             seen.chosen = seen.chosen || finish.kind == GLASS;
             // What is met is not what is seen.
             seen.hit.triangle = NOTHING;
@@ -56,11 +57,11 @@ fn follow(
 }
 
 // What comes back of the radiance that is seen.
-fn throughput_of(sight: Sight) -> vec3f {
-    return sight.throughput;
+fn throughput_of(chain: SpecularChain) -> vec3f {
+    return chain.throughput;
 }
 
-// Whether mirrors or glass have turned the ray.
-fn is_turned(sight: Sight) -> bool {
-    return sight.turned;
+// Whether mirrors or glass were in the way.
+fn is_specular(chain: SpecularChain) -> bool {
+    return chain.specular;
 }

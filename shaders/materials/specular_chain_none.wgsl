@@ -1,11 +1,11 @@
-// A ray ends at the first surface.
+// No mirrors or glass: a ray ends at the first surface.
 
-struct Sight {
+struct SpecularChain {
     hit: Hit,
     direction: vec3f,
 }
 
-fn follow(
+fn trace_specular_chain(
     origin: vec3f,
     direction: vec3f,
     limit: f32,
@@ -14,16 +14,16 @@ fn follow(
     number: u32,
     stream: u32,
     invocation: u32,
-) -> Sight {
-    return Sight(traverse(origin, direction, limit, node_count, false, invocation), direction);
+) -> SpecularChain {
+    return SpecularChain(traverse(origin, direction, limit, node_count, false, invocation), direction);
 }
 
 // What comes back of the radiance that is seen.
-fn throughput_of(sight: Sight) -> vec3f {
+fn throughput_of(chain: SpecularChain) -> vec3f {
     return vec3f(1.0);
 }
 
-// Whether mirrors or glass have turned the ray.
-fn is_turned(sight: Sight) -> bool {
+// Whether mirrors or glass were in the way.
+fn is_specular(chain: SpecularChain) -> bool {
     return false;
 }

@@ -1,6 +1,6 @@
-// The way on of light at a mirror or glass.
+// The direction in which light goes on at a mirror or glass.
 
-struct Turned {
+struct SpecularSample {
     direction: vec3f,
     // What comes back of the radiance from there.
     weight: vec3f,

@@ -19,17 +19,17 @@ fn main(
     if params.samples > 1u { inside = scrambled(params.sample + slot % params.rays, stream); }
     let direction = camera_direction(pixel, inside);
     let limit = select(0.0, HUGE, is && pixel.x < params.width && pixel.y < params.height);
-    let sight = follow(
+    let chain = trace_specular_chain(
         params.position, direction, limit, params.nodes, params.offset,
         params.sample + slot % params.rays, stream, invocation,
     );
     if is {
-        let point = hit_point(sight.hit, sight.direction);
-        points[slot] = with_view(point, way_back(point, sight.direction, params.offset));
-        keep_albedo(slot, sight.hit, point);
-        keep_glow(slot, sight.hit, point);
+        let point = hit_point(chain.hit, chain.direction);
+        points[slot] = with_view_direction(point, ray_offset(point, chain.direction, params.offset));
+        store_albedo(slot, chain.hit, point);
+        store_emission_scale(slot, chain.hit, point);
         radiance[slot] = vec4f(0.0);
-        paths[slot] = Path(throughput_of(sight), stream);
-        survivors[slot] = select(slot, NOTHING, sight.hit.triangle == NOTHING);
+        paths[slot] = Path(throughput_of(chain), stream);
+        survivors[slot] = select(slot, NOTHING, chain.hit.triangle == NOTHING);
     }
 }

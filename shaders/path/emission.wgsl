@@ -17,7 +17,7 @@ fn find_emission(
     let drawn = params.light_density * mean * select(1.0, 2.0, material.two_sided != 0u);
     let by_direction = density * -dot(hit.normal, direction) / (hit.depth * hit.depth);
     if emits && drawn > 0.0 && by_direction > 0.0 {
-        let emission = material.emission * glow_of(slot);
+        let emission = material.emission * emission_scale_of(slot);
         found(slot, carried * emission * mis_weight(by_direction, drawn));
     }
 }

@@ -29,7 +29,7 @@ fn find_emission(
     let by_area = density * -dot(hit.normal, direction) / (hit.depth * hit.depth);
     let by_direction = select(by_area, density, is_sphere);
     if emits && drawn > 0.0 && by_direction > 0.0 {
-        let emission = material.emission * glow_of(slot);
+        let emission = material.emission * emission_scale_of(slot);
         found(slot, carried * emission * mis_weight(by_direction, drawn));
     }
 }

@@ -1,8 +1,8 @@
-// What a path sees in the direction in which it goes on.
+// Traces the next segment of a path, through mirrors and glass.
 
 // Scrambles what decides at mirrors and glass.
-const TURN_STREAM = 0x7475726eu;
-// So dense is no other way to the same place.
+const SPECULAR_STREAM = 0x7475726eu;
+// A density beside which that of shadow rays does not count.
 const CERTAIN = 1e15;
 
 // All invocations of a subgroup must call it together.
@@ -13,17 +13,17 @@ fn follow_path(
     direction: vec3f,
     limit: f32,
     invocation: u32,
-) -> Sight {
-    return follow(
-        ray_end(point, params.offset), direction, limit, params.nodes,
+) -> SpecularChain {
+    return trace_specular_chain(
+        offset_position(point, params.offset), direction, limit, params.nodes,
         params.offset, params.first_sample + slot % params.samples,
-        hash(stream ^ hash(TURN_STREAM + params.bounce)), invocation,
+        hash(stream ^ hash(SPECULAR_STREAM + params.bounce)), invocation,
     );
 }
 
 // The density, by solid angle, with which scattering finds what emits.
-fn found_density(point: Point, scattered: Scattered, sight: Sight) -> f32 {
-    // No shadow ray would have gone this way if it was turned.
+fn found_density(point: Point, scattered: BsdfSample, chain: SpecularChain) -> f32 {
+    // Shadow rays do not go through mirrors or glass.
     let drawn = scattered.density * dot(point.normal, scattered.direction);
-    return select(drawn, CERTAIN, is_turned(sight));
+    return select(drawn, CERTAIN, is_specular(chain));
 }

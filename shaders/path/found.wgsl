@@ -1,4 +1,4 @@
-// Light that paths happen upon.
+// Adds emission that a path hits by chance.
 
 @group(0) @binding(20) var<storage, read_write> radiance: array<vec4f>;
 

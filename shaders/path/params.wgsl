@@ -1,4 +1,4 @@
-// Paths from the camera, a vertex a pass. A path stays in its slot: the samples of a pixel, then
+// Paths from the camera, a vertex a stage. A path stays in its slot: the samples of a pixel, then
 // those of the next. The queue lists the slots of the paths that go on.
 
 struct PathParams {
@@ -17,8 +17,8 @@ struct PathParams {
     light_density: f32,
     // 1 if the environment that the next segment escapes to counts, else 0.
     background: f32,
-    // The probability of a light that is drawn by solid angle, over its mean radiance, its sides and its squared
-    // radius; 0 if emission that the next segment finds does not count.
+    // The probability of a light that is drawn by solid angle, over its mean radiance, its sides
+    // and its squared radius; 0 if emission that the next segment finds does not count.
     solid_density: f32,
     // On the geometry term, of bias compensation.
     bound: f32,

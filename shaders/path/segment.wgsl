@@ -1,4 +1,4 @@
-// The next segment of each path: a direction as the surface scatters, and what it hits.
+// The next segment of each path: a direction drawn by the BSDF, and what it hits.
 
 @group(0) @binding(4) var<storage, read_write> points: array<Point>;
 @group(0) @binding(22) var<storage, read_write> paths: array<Path>;
@@ -20,19 +20,19 @@ fn main(
     let probability = survival(throughput);
     let lives = path_random(slot, path.stream, ROULETTE_DIMENSIONS).x < probability;
     let limit = select(0.0, HUGE, id.x < params.paths && lives);
-    let sight = follow_path(slot, path.stream, point, scattered.direction, limit, invocation);
-    let hit = sight.hit;
+    let chain = follow_path(slot, path.stream, point, scattered.direction, limit, invocation);
+    let hit = chain.hit;
     if id.x < params.paths { survivors[id.x] = select(slot, NOTHING, hit.triangle == NOTHING); }
-    let carried = throughput / probability * throughput_of(sight);
-    let density = found_density(point, scattered, sight);
+    let carried = throughput / probability * throughput_of(chain);
+    let density = found_density(point, scattered, chain);
     if hit.triangle != NOTHING {
-        let next = hit_point(hit, sight.direction);
-        points[slot] = with_view(next, way_back(next, sight.direction, params.offset));
-        keep_albedo(slot, hit, next);
-        keep_glow(slot, hit, next);
+        let next = hit_point(hit, chain.direction);
+        points[slot] = with_view_direction(next, ray_offset(next, chain.direction, params.offset));
+        store_albedo(slot, hit, next);
+        store_emission_scale(slot, hit, next);
         paths[slot] = Path(carried, path.stream);
-        find_emission(slot, carried, point, hit, next, sight.direction, density);
+        find_emission(slot, carried, point, hit, next, chain.direction, density);
     } else if limit > 0.0 {
-        find_background(slot, carried, sight.direction, density);
+        find_background(slot, carried, chain.direction, density);
     }
 }

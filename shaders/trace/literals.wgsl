@@ -1,7 +1,7 @@
-// Closest and any hit of a ray by itself in a small scene: `meet_scene`, which src/render/literals.rs
-// writes for the scene, puts the ray to every triangle. Lines are given by their direction and
-// their moment (Pluecker coordinates), so that an edge costs two dot products and its two
-// triangles share what comes of it: volumes that are exactly opposite.
+// Closest and any hit of a ray by itself in a small scene: `meet_scene`, which
+// src/render/kernels/literals.rs writes for the scene, puts the ray to every triangle. Lines are
+// given by their direction and their moment (Pluecker coordinates), so that an edge costs two dot
+// products and its two triangles share what comes of it: volumes that are exactly opposite.
 
 struct Ray {
     origin: vec3f,
@@ -33,10 +33,9 @@ fn plane(ray: Ray, normal: vec3f, height: f32) -> f32 {
     return select(-1.0, (height - dot(normal, ray.origin)) / speed, speed != 0.0);
 }
 
-// Triangles come by index, so that of those at the same t the lowest stays. u, v and w are the volumes
-// over the lengths of the edges.
-// What may be 0 counts as of either side, but not from the triangle's own plane: see `intersect` in
-// ray.wgsl.
+// Triangles come by index, so that of those at the same t the lowest stays. u, v and w are the
+// volumes over the lengths of the edges. What may be 0 counts as of either side, but not from the
+// triangle's own plane: see `intersect` in ray.wgsl.
 fn nearer(
     met: Met,
     at: f32,

@@ -77,13 +77,13 @@ fn line_slack(origin: vec3f) -> f32 {
     return 4.8e-7 + 7.2e-7 * largest(abs(origin));
 }
 
-// A ray with a triangle whose corners are given relative to its origin.
-// From the volumes that the ray spans with the edges: an edge gives exactly opposite volumes
-// to its two triangles, so that no ray slips between them. The Pluecker form of Woop, Benthin
-// and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013. At a vertex the volumes of all its
-// edges are mere rounding, and any signs: what may be 0 counts as either. But not from the triangle's
-// own plane, or as near to it as an edge may be off: along it all volumes are mere rounding, however
-// far from the ray, or behind it, the triangle is.
+// A ray with a triangle whose corners are given relative to its origin. From the volumes that the
+// ray spans with the edges: an edge gives exactly opposite volumes to its two triangles, so that no
+// ray slips between them. The Pluecker form of Woop, Benthin and Wald, "Watertight Ray/Triangle
+// Intersection", JCGT 2013. At a vertex the volumes of all its edges are mere rounding, and any
+// signs: what may be 0 counts as either. But not from the triangle's own plane, or as near to it as
+// an edge may be off: along it all volumes are mere rounding, however far from the ray, or behind
+// it, the triangle is.
 fn intersect(a: vec3f, b: vec3f, c: vec3f, direction: vec3f) -> Meeting {
     let volumes = vec3f(
         dot(cross(c - b, c + b), direction),

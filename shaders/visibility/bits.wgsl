@@ -1,5 +1,5 @@
-// The pass that finds which rows (points) see which VPLs: a bit each, 32 VPLs a word, word by
-// word.
+// Parameters and buffers of visibility, the stage that finds which rows (points) see which VPLs: a
+// bit each, 32 VPLs a word, word by word.
 
 struct VisibilityParams {
     rows: u32,

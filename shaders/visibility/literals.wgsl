@@ -1,6 +1,6 @@
 // Shadow rays in a small scene: 4 neighbouring points an invocation, all seen from one VPL.
-// `meet_scene`, which src/render/literals.rs writes for the scene, puts them to every triangle. The
-// common origin makes most of the test the same for all.
+// `meet_scene`, which src/render/kernels/literals.rs writes for the scene, puts them to every
+// triangle. The common origin makes most of the test the same for all.
 
 struct Ray {
     origin: vec3f,
@@ -60,8 +60,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let are = (surfaces != vec4u(NOTHING)) & (vec4u(row) + vec4u(0u, 1u, 2u, 3u) <= vec4u(last));
     let positions = transpose(mat4x3f(p0.position, p1.position, p2.position, p3.position));
     let ends = transpose(mat4x3f(
-        ray_end(p0, params.offset), ray_end(p1, params.offset),
-        ray_end(p2, params.offset), ray_end(p3, params.offset),
+        offset_position(p0, params.offset), offset_position(p1, params.offset),
+        offset_position(p2, params.offset), offset_position(p3, params.offset),
     ));
     let normals = transpose(mat4x3f(p0.normal, p1.normal, p2.normal, p3.normal));
 

@@ -22,10 +22,10 @@ fn main(
     let p1 = points[params.first_point + min(first + 1u, last)];
     let p2 = points[params.first_point + min(first + 2u, last)];
     let p3 = points[params.first_point + min(first + 3u, last)];
-    let e0 = ray_end(p0, params.offset);
-    let e1 = ray_end(p1, params.offset);
-    let e2 = ray_end(p2, params.offset);
-    let e3 = ray_end(p3, params.offset);
+    let e0 = offset_position(p0, params.offset);
+    let e1 = offset_position(p1, params.offset);
+    let e2 = offset_position(p2, params.offset);
+    let e3 = offset_position(p3, params.offset);
     let is0 = 4u * id.x <= last && p0.surface != NOTHING;
     let is1 = first + 1u <= last && p1.surface != NOTHING;
     let is2 = first + 2u <= last && p2.surface != NOTHING;

@@ -1,11 +1,11 @@
-// Each shadow ray by itself: the plain twin of visibility_packet.wgsl, for adapters without
+// Each shadow ray by itself: the plain twin of packet.wgsl, for adapters without
 // wide subgroups.
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.rows { return; }
     let point = points[params.first_point + id.x];
-    let end = ray_end(point, params.offset);
+    let end = offset_position(point, params.offset);
     let word = params.first_word + id.y;
     var seen = 0u;
     var rays = 0u;

@@ -34,10 +34,10 @@ use crate::sampling::hash;
 /// Paths of a pixel, over all its samples, where pixels combine what they have gathered, which takes
 /// the noise off; and where they do not.
 const PATHS_OF_PIXEL: [u32; 2] = [8, 32];
-/// Paths that are traced at once, at most, but one of each visible point: many, so that the passes
+/// Paths that are traced at once, at most, but one of each visible point: many, so that the stages
 /// themselves cost little in small images, where paths may be long.
 const AT_ONCE: usize = 1 << 19;
-/// Keeps the random numbers apart from those of other passes.
+/// Keeps the random numbers apart from those of other stages.
 const STREAM: u32 = 0x636f_6d70;
 
 /// Gives back, tile by tile, what the bound on the geometry term removes.

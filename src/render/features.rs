@@ -14,7 +14,7 @@ pub struct Features {
     /// Albedo that varies along a surface.
     pub textures: bool,
     /// Area lights whose emission varies, or that have holes.
-    pub glows: bool,
+    pub emission_textures: bool,
     /// Surfaces with a Phong lobe.
     pub phong: bool,
     /// Ideal mirrors.
@@ -30,13 +30,14 @@ impl Features {
     pub fn of(scene: &Scene) -> Self {
         let any = |is: &dyn Fn(Finish) -> bool| scene.materials.iter().any(|m| is(m.finish));
         let emits = |sphere: &Sphere| scene.materials[sphere.material as usize].emits();
-        let glows = |m: &&Material| m.emits() && m.emission_texture.or(m.cutout).is_some();
+        let emission_textures =
+            |m: &&Material| m.emits() && m.emission_texture.or(m.cutout).is_some();
         Self {
             spheres: !scene.spheres.is_empty(),
             sphere_lights: scene.spheres.iter().any(emits),
             cutouts: scene.materials.iter().any(|material| material.cutout.is_some()),
             textures: scene.materials.iter().any(|material| material.texture.is_some()),
-            glows: scene.materials.iter().filter(glows).count() > 0,
+            emission_textures: scene.materials.iter().filter(emission_textures).count() > 0,
             phong: any(&|finish| matches!(finish, Finish::Phong { .. })),
             mirror: any(&|finish| matches!(finish, Finish::Mirror { .. })),
             glass: any(&|finish| matches!(finish, Finish::Glass { .. })),
@@ -56,7 +57,7 @@ impl Features {
 
     /// Whether there is any texture.
     pub fn has_textures(self) -> bool {
-        self.textures || self.cutouts || self.glows
+        self.textures || self.cutouts || self.emission_textures
     }
 
     /// All there are, whatever the scene has: for measuring what leaving out saves.
@@ -66,7 +67,7 @@ impl Features {
             sphere_lights: true,
             cutouts: true,
             textures: true,
-            glows: true,
+            emission_textures: true,
             phong: true,
             mirror: true,
             glass: true,
@@ -142,7 +143,7 @@ impl Target {
             Features { spheres: true, sphere_lights: true, ..none },
             Features { cutouts: true, ..none },
             Features { textures: true, ..none },
-            Features { glows: true, ..none },
+            Features { emission_textures: true, ..none },
             Features { phong: true, ..none },
             Features { mirror: true, ..none },
             Features { glass: true, ..none },

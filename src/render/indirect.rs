@@ -149,10 +149,10 @@ impl<'a> IndirectLight<'a> {
         match &self.interleave {
             Some(interleave) => {
                 self.compensate(tile, phases, progress)?;
-                phases.shading += interleave.separate(prepared, tile)?;
+                phases.shading += interleave.split(prepared, tile)?;
                 let points = interleave.subsets(tile).points();
                 counts.shadow_rays += self.gather.gather(points, phases, &show)?;
-                phases.shading += interleave.combine(prepared, tile)?;
+                phases.shading += interleave.join(prepared, tile)?;
             }
             None => {
                 irradiance.clear(prepared)?;

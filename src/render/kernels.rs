@@ -20,7 +20,9 @@ use crate::gpu::{Program, TriangleRecord};
 pub use camera::{antialias, background, emit, resolve, show, visible_points};
 pub use catalogue::{CATALOGUE, features_of, features_without};
 pub use direct::direct;
-pub use gather::{collect, combine, reflect, removed, separate, shade};
+pub use gather::{
+    clamped_energy, discontinuity_buffer, join_subsets, reflect, shade, split_subsets,
+};
 use lights::has_kind;
 use literals::Literals;
 pub use trace::{Tracing, shapes};
@@ -28,7 +30,7 @@ pub use visibility::{Emitter, expand, rays_at_once, visibility};
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![expand(), separate()];
+    let mut programs = vec![expand(), split_subsets()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             // Literals are of triangles alone.
@@ -38,10 +40,10 @@ pub fn all_programs() -> Vec<Program> {
         }
         programs.extend([false, true].map(|lit| visible_points(target, lit)));
         programs.extend([antialias(target), resolve(target)]);
-        programs.extend([emit(target), reflect(target), combine(target)]);
-        programs.extend([false, true].map(|given| removed(target, given)));
+        programs.extend([emit(target), reflect(target), discontinuity_buffer(target)]);
+        programs.extend([false, true].map(|given| clamped_energy(target, given)));
         for probed in [false, true] {
-            programs.extend([false, true].map(|given| collect(target, probed, given)));
+            programs.extend([false, true].map(|given| join_subsets(target, probed, given)));
         }
         programs.extend(background(target));
         let shown = [Method::Normal, Method::Depth, Method::Albedo];

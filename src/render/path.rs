@@ -2,8 +2,8 @@
 //! camera and random numbers with them, but no light transport.
 //!
 //! A wave of paths, some samples of every pixel of a tile, goes from vertex to vertex together:
-//! shadow rays to the lights from each vertex, then the next segment of each path. A pass traces
-//! one ray a path, and between passes the paths that have ended leave the queue.
+//! shadow rays to the lights from each vertex, then the next segment of each path. A stage traces
+//! one ray a path, and between stages the paths that have ended leave the queue.
 
 mod estimate;
 pub mod stages;
@@ -22,7 +22,7 @@ use crate::scene::Camera;
 use estimate::Estimates;
 use stages::Stages;
 
-/// Paths of a wave, at most: few enough for any adapter's buffers, many enough that the passes
+/// Paths of a wave, at most: few enough for any adapter's buffers, many enough that the stages
 /// themselves cost nothing.
 const MOST_PATHS: u32 = 1 << 20;
 /// Samples of a pixel in a wave, at most: the device sums them in f32.

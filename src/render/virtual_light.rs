@@ -12,12 +12,12 @@ pub struct VirtualLight {
     /// Intensity along the normal of its diffuse part, per channel: exitant flux over π.
     pub intensity: Vec3,
     /// What a glossy surface adds.
-    pub gloss: Option<Gloss>,
+    pub gloss: Option<GlossyLobe>,
 }
 
 /// The Phong lobe of a light.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gloss {
+pub struct GlossyLobe {
     /// Index of the material.
     pub material: u32,
     /// What the intensity would be if the lobe were diffuse: flux times k_s over π.

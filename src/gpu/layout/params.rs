@@ -1,8 +1,8 @@
-//! Parameters of passes, and what paths carry.
+//! Parameters of stages, and what paths carry.
 
 use bytemuck::{Pod, Zeroable};
 
-/// Parameters of the camera pass.
+/// Parameters of the camera stage.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct CameraParams {
@@ -40,7 +40,7 @@ pub struct CameraParams {
     pub offset: f32,
 }
 
-/// Parameters of the direct-light passes.
+/// Parameters of the direct-light stages.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct DirectParams {
@@ -70,7 +70,7 @@ pub struct DirectParams {
     pub share: f32,
 }
 
-/// Parameters of the visibility pass.
+/// Parameters of the visibility stage.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct VisibilityParams {
@@ -96,7 +96,7 @@ pub struct VisibilityParams {
     pub pad: [u32; 3],
 }
 
-/// Parameters of the pass that gives VPLs the visibility of their clusters.
+/// Parameters of the stage that gives VPLs the visibility of their clusters.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct ExpandParams {
@@ -110,7 +110,7 @@ pub struct ExpandParams {
     pub pad: u32,
 }
 
-/// Parameters of the passes of interleaved sampling.
+/// Parameters of the stages of interleaved sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct InterleaveParams {
@@ -129,10 +129,10 @@ pub struct InterleaveParams {
     /// Points of all subsets.
     pub points: u32,
     /// Of the two that combine.
-    pub pass_number: u32,
+    pub axis: u32,
 }
 
-/// Parameters of the shading pass.
+/// Parameters of the shading stage.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct ShadeParams {
@@ -176,7 +176,7 @@ pub struct PathSum {
     pub pad: f32,
 }
 
-/// Parameters of the passes of paths.
+/// Parameters of the stages of paths.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct PathParams {
@@ -208,7 +208,7 @@ pub struct PathParams {
     pub lobe: u32,
 }
 
-/// Parameters of the pass that starts bias compensation.
+/// Parameters of the stage that starts bias compensation.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct StartParams {
@@ -222,7 +222,7 @@ pub struct StartParams {
     pub paths: u32,
 }
 
-/// Parameters of the pass that adds what bias compensation gives back.
+/// Parameters of the stage that adds what bias compensation gives back.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct CompensatedParams {

@@ -89,7 +89,7 @@ pub struct FinishRecord {
     /// outside.
     pub parameter: f32,
     /// Of Phong, the probability that a direction is drawn from the lobe.
-    pub gloss: f32,
+    pub lobe_probability: f32,
     /// Unused.
     pub pad: [u32; 2],
 }
@@ -114,7 +114,7 @@ impl PointRecord {
     /// [`PointRecord::surface`] of a camera ray that hit nothing.
     pub const NOTHING: u32 = u32::MAX;
 
-    /// The same, seen from this direction: the twin of `with_view` in `shaders/camera/view_direction.wgsl`.
+    /// The same, seen from this direction: the twin of `with_view_direction` in `shaders/camera/view_direction.wgsl`.
     pub fn seen_from(self, view: [f32; 3]) -> Self {
         let sum = view.map(f32::abs).iter().sum::<f32>();
         let [x, y, z] = view.map(|value| value / sum);

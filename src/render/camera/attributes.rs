@@ -17,7 +17,7 @@ pub fn attributes(
 ) -> Result<Vec<Attribute>, GpuError> {
     let names = [
         ("albedos", features.textures),
-        ("glows", features.glows),
+        ("emission_scales", features.emission_textures),
         ("throughputs", features.specular()),
     ];
     let asked = names.into_iter().filter(|(_, is)| *is);

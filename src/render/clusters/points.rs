@@ -8,10 +8,10 @@ use crate::cluster::{Options, Points, fuzzy, kmeans};
 use crate::gpu::PointRecord;
 use crate::render::settings::Clustering;
 
-/// A point strays from its cluster if it sees otherwise than it at least so many of the probes.
-const STRAY_DIFFERENCES: u32 = 2;
-/// Clusters of strays are so many times as dense as those of all points.
-const STRAY_DENSITY: usize = 16;
+/// A point outliers from its cluster if it sees otherwise than it at least so many of the probes.
+const OUTLIER_DIFFERENCES: u32 = 2;
+/// Clusters of outliers are so many times as dense as those of all points.
+const OUTLIER_DENSITY: usize = 16;
 /// How much a cluster counts in a fuzzy mean that sees one probe otherwise than the point.
 const UNLIKE: f32 = 0.25;
 
@@ -48,23 +48,24 @@ impl PointClusters {
         if hits.is_empty() {
             return None;
         }
-        let mut parts = vec![Part::of(records, hits, clustering, clustering.points, seed)];
+        let mut parts =
+            vec![PartialClusters::of(records, hits, clustering, clustering.points, seed)];
         if let Some(probes) = probes {
-            let strays = parts[0].strays(probes);
-            if !strays.is_empty() {
-                let clusters = clustering.points as usize * STRAY_DENSITY * strays.len();
+            let outliers = parts[0].outliers(probes);
+            if !outliers.is_empty() {
+                let clusters = clustering.points as usize * OUTLIER_DENSITY * outliers.len();
                 let clusters = clusters.div_ceil(parts[0].points.len()) as u32;
-                parts.push(Part::of(records, strays, clustering, clusters, seed));
+                parts.push(PartialClusters::of(records, outliers, clustering, clusters, seed));
             }
             for part in &mut parts {
-                part.agree(probes);
+                part.weigh_by_probes(probes);
             }
         }
         Some(Self::join(records, &parts))
     }
 
     /// The clusters of all parts, where a later part has its points for itself.
-    fn join(records: &[PointRecord], parts: &[Part]) -> Self {
+    fn join(records: &[PointRecord], parts: &[PartialClusters]) -> Self {
         let all: Vec<u32> = parts.iter().flat_map(|part| part.representatives.clone()).collect();
         // Rows that are neighbours in space are traced together.
         let place = |&index: &u32| {
@@ -106,7 +107,7 @@ impl PointClusters {
 }
 
 /// Clusters of some of the points.
-struct Part {
+struct PartialClusters {
     /// The points, by their indices among all.
     points: Vec<u32>,
     /// The points that stand for the clusters.
@@ -119,7 +120,7 @@ struct Part {
     weights: Option<Vec<f32>>,
 }
 
-impl Part {
+impl PartialClusters {
     fn of(
         records: &[PointRecord],
         points: Vec<u32>,
@@ -164,7 +165,7 @@ impl Part {
     }
 
     /// Lets a cluster count less for a point that sees others of the probes than it does.
-    fn agree(&mut self, probes: &[u32]) {
+    fn weigh_by_probes(&mut self, probes: &[u32]) {
         let (own, representatives) = (self.own(), &self.representatives);
         let Some(weights) = &mut self.weights else { return };
         let each = weights.par_chunks_exact_mut(own).zip(self.clusters.par_chunks_exact(own));
@@ -180,13 +181,13 @@ impl Part {
     }
 
     /// The points that see others of the probes than their cluster's representative does.
-    fn strays(&self, probes: &[u32]) -> Vec<u32> {
+    fn outliers(&self, probes: &[u32]) -> Vec<u32> {
         let of_points = self.points.iter().zip(&self.assignment);
-        let strays = of_points.filter(|&(&point, &cluster)| {
+        let outliers = of_points.filter(|&(&point, &cluster)| {
             let representative = self.representatives[cluster as usize];
-            differences(probes, point, representative) >= STRAY_DIFFERENCES
+            differences(probes, point, representative) >= OUTLIER_DIFFERENCES
         });
-        strays.map(|(&point, _)| point).collect()
+        outliers.map(|(&point, _)| point).collect()
     }
 }
 

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 
 use crate::cluster::{Options, Points, kmeans};
 use crate::render::settings::{Clustering, Merge, Representative};
-use crate::render::virtual_light::{Gloss, VirtualLight};
+use crate::render::virtual_light::{GlossyLobe, VirtualLight};
 
 /// Clusters of lights by position, where their normals agree. Glossy lights merge only with those
 /// of their own material that mirror light the same way.
@@ -62,8 +62,8 @@ impl VplClusters {
         );
         let representatives = found.clusters.iter().map(|c| c.representative).collect();
         let parts = match clustering.merge {
-            Merge::Light => Parts::of(&own, &found.assignment, representatives, clustering),
-            Merge::Visibility => Parts { of_lights: found.assignment, representatives },
+            Merge::Light => SplitClusters::of(&own, &found.assignment, representatives, clustering),
+            Merge::Visibility => SplitClusters { of_lights: found.assignment, representatives },
         };
         let mut sums = vec![Sum::default(); parts.representatives.len()];
         for (light, &part) in own.iter().zip(&parts.of_lights) {
@@ -108,12 +108,12 @@ fn lift(means: &mut [VirtualLight], members: &[VirtualLight], of_members: &[u32]
 }
 
 /// Clusters of which those that mirror light in different ways are split.
-struct Parts {
+struct SplitClusters {
     of_lights: Vec<u32>,
     representatives: Vec<u32>,
 }
 
-impl Parts {
+impl SplitClusters {
     /// A member that the first of a cluster does not accept founds a part of its own, in the order
     /// of the lights.
     fn of(
@@ -179,7 +179,7 @@ impl Sum {
             Representative::Mean => sum.as_vec3().try_normalize().unwrap_or(member),
             Representative::Member => member,
         };
-        let gloss = |gloss: Gloss| Gloss {
+        let gloss = |gloss: GlossyLobe| GlossyLobe {
             specular: self.specular.as_vec3(),
             mirrored: mean(self.mirrored, gloss.mirrored),
             ..gloss

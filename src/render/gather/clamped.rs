@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::gpu::GpuError;
 use crate::render::camera::Tile;
-use crate::render::kernels::removed;
+use crate::render::kernels::clamped_energy;
 use crate::render::prepared::Prepared;
 use crate::render::stage::{Named, Stage};
 
@@ -30,7 +30,7 @@ impl ClampedEnergy {
     ) -> Result<Self, GpuError> {
         let buffer = prepared.gpu.storage::<[f32; 2]>("energy", points)?;
         let named = [&[("energy", &buffer)], tile].concat();
-        let stage = Stage::new(prepared, &removed(prepared.target(), compensated), &named)?;
+        let stage = Stage::new(prepared, &clamped_energy(prepared.target(), compensated), &named)?;
         Ok(Self { buffer, stage })
     }
 

@@ -42,15 +42,15 @@ impl Subsets {
     }
 
     /// Values of the points of a tile, `each` a point, in the order of subsets.
-    pub fn separate<T: Copy + Default + Send + Sync>(&self, values: &[T], each: usize) -> Vec<T> {
-        let mut separated = vec![T::default(); (self.s * self.s * self.points) as usize * each];
-        separated.par_chunks_exact_mut(each).enumerate().for_each(|(place, separated)| {
+    pub fn split<T: Copy + Default + Send + Sync>(&self, values: &[T], each: usize) -> Vec<T> {
+        let mut split = vec![T::default(); (self.s * self.s * self.points) as usize * each];
+        split.par_chunks_exact_mut(each).enumerate().for_each(|(place, split)| {
             if let Some(point) = self.point_at(place as u32) {
                 let at = point as usize * each;
-                separated.copy_from_slice(&values[at..at + each]);
+                split.copy_from_slice(&values[at..at + each]);
             }
         });
-        separated
+        split
     }
 
     /// The point at a place in the order of subsets; none for no pixel. The twin of
@@ -72,12 +72,12 @@ impl Subsets {
             subset_width: self.subset_width,
             subset_points: self.points,
             points: self.s * self.s * self.points,
-            pass_number: 0,
+            axis: 0,
         }
     }
 }
 
-/// The passes of interleaved sampling: points into the order of subsets, and what they have
+/// The stages of interleaved sampling: points into the order of subsets, and what they have
 /// gathered back.
 #[derive(Debug)]
 pub struct Interleave {
@@ -88,10 +88,10 @@ pub struct Interleave {
     irradiance: wgpu::Buffer,
     /// Which probes each point of the tile sees.
     signatures: Option<wgpu::Buffer>,
-    separate: Stage,
-    collect: Stage,
+    split: Stage,
+    join: Stage,
     /// Along rows, then along columns.
-    combine: [Stage; 2],
+    discontinuity_buffer: [Stage; 2],
 }
 
 impl Interleave {
@@ -118,7 +118,7 @@ impl Interleave {
         let signatures = probed.then(|| gpu.storage::<u32>("signatures", pixels)).transpose()?;
         let gathered = gpu.storage::<[f32; 4]>("gathered irradiance", pixels * lobes)?;
         let own = [
-            ("separated", &points),
+            ("split_points", &points),
             ("irradiance", &irradiance),
             ("surfaces", &surfaces),
             ("gathered", &gathered),
@@ -126,19 +126,23 @@ impl Interleave {
         // The first buffer of a name counts.
         let mut buffers = [&own[..], tile].concat();
         buffers.extend(signatures.as_ref().map(|signatures| ("signatures", signatures)));
-        let separate = Stage::new(prepared, &kernels::separate(), &buffers)?;
-        let collect = kernels::collect(target, probed, settings.compensates());
-        let collect = Stage::new(prepared, &collect, &buffers)?;
+        let split = Stage::new(prepared, &kernels::split_subsets(), &buffers)?;
+        let join = kernels::join_subsets(target, probed, settings.compensates());
+        let join = Stage::new(prepared, &join, &buffers)?;
         let half = gpu.storage::<[f32; 4]>("half combined irradiance", pixels * lobes)?;
         let bind = |from_to: [Named<'_>; 2]| {
-            Stage::new(prepared, &kernels::combine(target), &[&from_to[..], &buffers].concat())
+            Stage::new(
+                prepared,
+                &kernels::discontinuity_buffer(target),
+                &[&from_to[..], &buffers].concat(),
+            )
         };
-        let combine = [
+        let discontinuity_buffer = [
             bind([("gathered", &gathered), ("combined", &half)])?,
             bind([("gathered", &half), ("combined", combined)])?,
         ];
         let across = tiling.across();
-        Ok(Self { s, across, points, irradiance, signatures, separate, collect, combine })
+        Ok(Self { s, across, points, irradiance, signatures, split, join, discontinuity_buffer })
     }
 
     /// Points of a subset of a tile, at most.
@@ -172,21 +176,21 @@ impl Interleave {
     ///
     /// # Errors
     /// The device fails.
-    pub fn separate(&self, prepared: &Prepared, tile: Tile) -> Result<Duration, GpuError> {
+    pub fn split(&self, prepared: &Prepared, tile: Tile) -> Result<Duration, GpuError> {
         let params = self.subsets(tile).params();
         prepared.gpu.clear(&[&self.irradiance])?;
-        self.separate.run(prepared, &params, [params.points.div_ceil(BLOCK), 1])
+        self.split.run(prepared, &params, [params.points.div_ceil(BLOCK), 1])
     }
 
     /// Combines what the pixels around a pixel have gathered into its irradiance.
     ///
     /// # Errors
     /// The device fails.
-    pub fn combine(&self, prepared: &Prepared, tile: Tile) -> Result<Duration, GpuError> {
+    pub fn join(&self, prepared: &Prepared, tile: Tile) -> Result<Duration, GpuError> {
         let params = self.subsets(tile).params();
-        let mut time = self.collect.run(prepared, &params, [tile.blocks, 1])?;
-        for (pass_number, stage) in (0..).zip(&self.combine) {
-            let params = InterleaveParams { pass_number, ..params };
+        let mut time = self.join.run(prepared, &params, [tile.blocks, 1])?;
+        for (axis, stage) in (0..).zip(&self.discontinuity_buffer) {
+            let params = InterleaveParams { axis, ..params };
             time += stage.run(prepared, &params, [tile.blocks, 1])?;
         }
         Ok(time)
@@ -211,8 +215,8 @@ mod tests {
             for sample in 0..3 {
                 let subsets = Subsets::of(s, 5, 15, sample);
                 let points: Vec<u32> = (1..=15 * BLOCK).collect();
-                let separated = subsets.separate(&points, 1);
-                let mut found: Vec<u32> = separated.iter().copied().filter(|&p| p > 0).collect();
+                let split = subsets.split(&points, 1);
+                let mut found: Vec<u32> = split.iter().copied().filter(|&p| p > 0).collect();
                 found.sort_unstable();
                 assert_eq!(found, points, "s = {s}");
             }
@@ -222,10 +226,10 @@ mod tests {
     /// Points go into the order of subsets as on the host, and their values come back to the
     /// pixels that they are from, for every sample.
     #[test]
-    fn what_the_device_separates_it_collects_again() {
+    fn what_the_device_splits_it_joins_again() {
         let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
-        let separate = gpu.compile(&kernels::separate()).unwrap();
-        let collect = gpu.compile(&kernels::collect(Target::plain(true), false, false)).unwrap();
+        let split = gpu.compile(&kernels::split_subsets()).unwrap();
+        let join = gpu.compile(&kernels::join_subsets(Target::plain(true), false, false)).unwrap();
         for (s, sample) in [(2, 0), (2, 1), (3, 1), (4, 3), (8, 5)] {
             let subsets = Subsets::of(s, 5, 15, sample);
             let params = subsets.params();
@@ -234,16 +238,16 @@ mod tests {
             let params_buffer = gpu.parameters::<InterleaveParams>("params").unwrap();
             gpu.write(&params_buffer, &[params]).unwrap();
             let points = gpu.storage_of("points", &records).unwrap();
-            let separated =
-                gpu.storage::<PointRecord>("separated", params.points as usize).unwrap();
+            let split_points =
+                gpu.storage::<PointRecord>("split_points", params.points as usize).unwrap();
             let buffers =
-                [("params", &params_buffer), ("points", &points), ("separated", &separated)];
-            let bindings = gpu.bind(&separate, &buffers).unwrap();
+                [("params", &params_buffer), ("points", &points), ("split_points", &split_points)];
+            let bindings = gpu.bind(&split, &buffers).unwrap();
             let workgroups = [params.points.div_ceil(BLOCK), 1];
-            gpu.run(&[Pass { kernel: &separate, bindings: &bindings, workgroups }]).unwrap();
-            let found: Vec<PointRecord> = gpu.read(&separated, params.points as usize).unwrap();
+            gpu.run(&[Pass { kernel: &split, bindings: &bindings, workgroups }]).unwrap();
+            let found: Vec<PointRecord> = gpu.read(&split_points, params.points as usize).unwrap();
             let surfaces: Vec<u32> = records.iter().map(|record| record.surface + 1).collect();
-            let expected = subsets.separate(&surfaces, 1);
+            let expected = subsets.split(&surfaces, 1);
             let found: Vec<u32> = found.iter().map(|r| r.surface.wrapping_add(1)).collect();
             assert_eq!(found, expected, "s = {s}, sample {sample}");
 
@@ -253,9 +257,8 @@ mod tests {
             let gathered = gpu.storage::<[f32; 4]>("gathered", records.len()).unwrap();
             let buffers = [&buffers[..2], &[("irradiance", &irradiance)]].concat();
             let own = [("surfaces", &surfaces), ("gathered", &gathered)];
-            let bindings = gpu.bind(&collect, &[&buffers[..], &own].concat()).unwrap();
-            gpu.run(&[Pass { kernel: &collect, bindings: &bindings, workgroups: [15, 1] }])
-                .unwrap();
+            let bindings = gpu.bind(&join, &[&buffers[..], &own].concat()).unwrap();
+            gpu.run(&[Pass { kernel: &join, bindings: &bindings, workgroups: [15, 1] }]).unwrap();
             let gathered: Vec<[f32; 4]> = gpu.read(&gathered, records.len()).unwrap();
             for (at, value) in (0..).zip(gathered) {
                 let point = point_of([at % 40, at / 40], 40);

@@ -209,12 +209,12 @@ impl<'a> Gather<'a> {
         let range = points.start * each..points.end * each;
         let of_range = &clusters.of_points[range.clone()];
         match subsets {
-            Some(subsets) => gpu.write(of_points, &subsets.separate(of_range, each))?,
+            Some(subsets) => gpu.write(of_points, &subsets.split(of_range, each))?,
             None => gpu.write(of_points, of_range)?,
         }
         let (Some(buffer), Some(weights)) = (weights, &clusters.weights) else { return Ok(()) };
         match subsets {
-            Some(subsets) => gpu.write(buffer, &subsets.separate(&weights[range], each)),
+            Some(subsets) => gpu.write(buffer, &subsets.split(&weights[range], each)),
             None => gpu.write(buffer, &weights[range]),
         }
     }

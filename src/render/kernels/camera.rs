@@ -1,14 +1,15 @@
 //! The programs of camera rays, and of what comes back along them.
 
 use super::catalogue::{
-    ANTIALIAS, BACKGROUND, CAMERA, CORNERS, EMIT, FINISH, FOLLOW_NONE, FOLLOW_SPECULAR, GLASS,
-    HIT_POINT, KEEP_THROUGHPUT, KEEP_THROUGHPUT_NONE, MIRROR, ONE_SURFACE, PIXELS, REFLECTANCE_ANY,
-    REFLECTANCE_PLAIN, RESOLVE, SAMPLING, SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
-    THROUGHPUT_KEPT, THROUGHPUT_NONE, TURN, TURN_EITHER, TURN_GLASS, TURN_MIRROR, TYPES,
-    UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_KEPT, VIEW_NONE, VISIBLE, WAY_BACK,
+    ANTIALIAS, BACKGROUND, BSDF, CAMERA, EMIT, GLASS, HIT_POINT, HIT_TRIANGLES, MIRROR,
+    ONE_SURFACE, PIXELS, RAY_OFFSET, REFLECTANCE_ANY, REFLECTANCE_PLAIN, RESOLVE,
+    SAMPLE_SPECULAR_EITHER, SAMPLE_SPECULAR_GLASS, SAMPLE_SPECULAR_MIRROR, SAMPLING,
+    SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SPECULAR_CHAIN, SPECULAR_CHAIN_NONE,
+    SPECULAR_SAMPLE, STORE_THROUGHPUT, STORE_THROUGHPUT_NONE, THROUGHPUT_NONE, THROUGHPUT_STORED,
+    TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_DIRECTION, VIEW_DIRECTION_NONE, VISIBLE_POINTS,
 };
 use super::lights::sky;
-use super::materials::{albedo, glow, keep, kept};
+use super::materials::{albedo, attributes, emission_scale, store_attributes};
 use super::trace::rays;
 use crate::gpu::{Module, Program};
 use crate::render::features::{Features, Target};
@@ -16,16 +17,16 @@ use crate::render::settings::Method;
 
 /// Camera rays. Points keep their depth, or, if there is light, where they are seen from.
 pub fn visible_points(target: Target, lit: bool) -> Program {
-    let keep = if target.features.specular() { &KEEP_THROUGHPUT } else { &KEEP_THROUGHPUT_NONE };
-    let mut modules = camera_rays(target, &kept_points(target.features));
-    let view = if lit { &VIEW_KEPT } else { &VIEW_NONE };
-    modules.extend([&WAY_BACK, view, keep, &VISIBLE]);
+    let keep = if target.features.specular() { &STORE_THROUGHPUT } else { &STORE_THROUGHPUT_NONE };
+    let mut modules = camera_rays(target, &point_attributes(target.features));
+    let view = if lit { &VIEW_DIRECTION } else { &VIEW_DIRECTION_NONE };
+    modules.extend([&RAY_OFFSET, view, keep, &VISIBLE_POINTS]);
     Program::new("visible points", modules)
 }
 
-/// What is kept of points by the pass that finds them.
-pub fn kept_points(features: Features) -> Vec<&'static Module> {
-    [kept(features), keep(features)].concat()
+/// What is kept of points by the stage that finds them.
+pub fn point_attributes(features: Features) -> Vec<&'static Module> {
+    [attributes(features), store_attributes(features)].concat()
 }
 
 /// More camera rays where pixels see edges.
@@ -41,25 +42,27 @@ pub fn antialias(target: Target) -> Program {
 
 pub fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
     let (first, rays) = ([&TYPES, &SAMPLING, &PIXELS], rays(target));
-    [&first[..], &rays, &[&CAMERA], &follow(target), last].concat()
+    [&first[..], &rays, &[&CAMERA], &specular_chain(target), last].concat()
 }
 
 /// How rays go on at mirrors and glass, and what they see.
-pub fn follow(target: Target) -> Vec<&'static Module> {
+pub fn specular_chain(target: Target) -> Vec<&'static Module> {
     // The other ways to trace rays load all triangles.
-    let corners: &[&Module] = if target.literals { &[&CORNERS, &SHAPE_TRIANGLE] } else { &[] };
-    let turns: &[&Module] = match (target.features.mirror, target.features.glass) {
-        (false, false) => return [corners, &[&HIT_POINT, &FOLLOW_NONE]].concat(),
-        (true, false) => &[&MIRROR, &TURN_MIRROR],
-        (false, true) => &[&GLASS, &TURN_GLASS],
-        (true, true) => &[&MIRROR, &GLASS, &TURN_EITHER],
+    let corners: &[&Module] =
+        if target.literals { &[&HIT_TRIANGLES, &SHAPE_TRIANGLE] } else { &[] };
+    let sampled: &[&Module] = match (target.features.mirror, target.features.glass) {
+        (false, false) => return [corners, &[&HIT_POINT, &SPECULAR_CHAIN_NONE]].concat(),
+        (true, false) => &[&MIRROR, &SAMPLE_SPECULAR_MIRROR],
+        (false, true) => &[&GLASS, &SAMPLE_SPECULAR_GLASS],
+        (true, true) => &[&MIRROR, &GLASS, &SAMPLE_SPECULAR_EITHER],
     };
-    [corners, &[&HIT_POINT, &WAY_BACK, &FINISH, &TURN], turns, &[&FOLLOW_SPECULAR]].concat()
+    [corners, &[&HIT_POINT, &RAY_OFFSET, &BSDF, &SPECULAR_SAMPLE], sampled, &[&SPECULAR_CHAIN]]
+        .concat()
 }
 
 /// What comes back of the radiance of visible points.
 pub fn throughput(target: Target) -> &'static Module {
-    if target.features.specular() { &THROUGHPUT_KEPT } else { &THROUGHPUT_NONE }
+    if target.features.specular() { &THROUGHPUT_STORED } else { &THROUGHPUT_NONE }
 }
 
 /// Radiance of visible points to the film, through mirrors and glass.
@@ -69,7 +72,7 @@ pub fn resolve(target: Target) -> Program {
 
 /// Emission towards the camera.
 pub fn emit(target: Target) -> Program {
-    let modules = vec![&TYPES, &THROUGHPUT_NONE, glow(target.features), &EMIT];
+    let modules = vec![&TYPES, &THROUGHPUT_NONE, emission_scale(target.features), &EMIT];
     Program::new("emission", modules)
 }
 
@@ -92,7 +95,7 @@ pub fn show(target: Target, method: Method) -> Option<Program> {
     if method == Method::Albedo {
         modules.push(albedo(target.features));
         match target.features.has_finishes() {
-            true => modules.extend([&FINISH, &REFLECTANCE_ANY]),
+            true => modules.extend([&BSDF, &REFLECTANCE_ANY]),
             false => modules.push(&REFLECTANCE_PLAIN),
         }
     }

@@ -1,9 +1,10 @@
 //! The programs of bias compensation.
 
 use super::catalogue::{
-    COMPENSATE_BACK, COMPENSATE_DIFFUSE, COMPENSATE_GLOSSY, COMPENSATE_SEGMENT, COMPENSATE_SHARE,
-    COMPENSATE_START, COMPENSATE_VPLS, COMPENSATED, EMITTER_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE,
-    PAIR_GLOSSY, PATH_STATE, SAMPLING, SEEN_ALL, TYPES,
+    COMPENSATION_ADD, COMPENSATION_CONTRIBUTION, COMPENSATION_DIFFUSE, COMPENSATION_GLOSSY,
+    COMPENSATION_SEGMENT, COMPENSATION_SHARE, COMPENSATION_START, COMPENSATION_VPLS,
+    EMITTER_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PATH_STATE, SAMPLING, SEEN_ALL,
+    TYPES,
 };
 use super::materials::{gathered, lobes};
 use super::path::{next_event_by, segments, vertex};
@@ -15,13 +16,13 @@ use crate::render::settings::Bounces;
 
 /// A path at each visible point.
 pub fn start() -> Program {
-    let modules = vec![&TYPES, &SAMPLING, &PATH_STATE, &COMPENSATE_START];
+    let modules = vec![&TYPES, &SAMPLING, &PATH_STATE, &COMPENSATION_START];
     Program::new("compensation, start", modules)
 }
 
 /// Light straight from its source at vertices.
 pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
-    let back = [&carried(target)[..], &[&COMPENSATE_BACK]].concat();
+    let back = [&carried(target)[..], &[&COMPENSATION_CONTRIBUTION]].concat();
     next_event_by(target, kind, &back)
 }
 
@@ -30,7 +31,7 @@ pub fn vpls(target: Target) -> Program {
     let pair = if target.features.phong { &PAIR_GLOSSY } else { &PAIR_DIFFUSE };
     let mut last = carried(target);
     last.extend([vpl(target), &PAIR_BOUNDED, &EMITTER_SURFACE, &SEEN_ALL, pair]);
-    last.push(&COMPENSATE_VPLS);
+    last.push(&COMPENSATION_VPLS);
     Program::new("compensation, VPLs", vertex(target, &last))
 }
 
@@ -38,19 +39,19 @@ pub fn vpls(target: Target) -> Program {
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let mut last = segments(target, bounces, areas);
     last.extend(carried(target));
-    last.push(&COMPENSATE_SEGMENT);
+    last.push(&COMPENSATION_SEGMENT);
     Program::new("compensation, segment", vertex(target, &last))
 }
 
 /// What was given back, to what visible points gather.
 pub fn compensated(target: Target) -> Program {
-    Program::new("compensation", vec![gathered(target), &COMPENSATED])
+    Program::new("compensation", vec![gathered(target), &COMPENSATION_ADD])
 }
 
 /// What is carried from vertex to vertex.
 fn carried(target: Target) -> Vec<&'static Module> {
-    let of = if target.features.phong { &COMPENSATE_GLOSSY } else { &COMPENSATE_DIFFUSE };
-    [&lobes(target)[..], &[&COMPENSATE_SHARE, of]].concat()
+    let of = if target.features.phong { &COMPENSATION_GLOSSY } else { &COMPENSATION_DIFFUSE };
+    [&lobes(target)[..], &[&COMPENSATION_SHARE, of]].concat()
 }
 
 /// Every program of bias compensation for a target.

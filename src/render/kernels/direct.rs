@@ -1,8 +1,8 @@
 //! The programs of light straight from its source.
 
 use super::catalogue::{
-    DIRECT, DIRECT_EXACT, DIRECT_SAMPLED, DRAW_ONE, DRAW_RESAMPLED, PLACE_BY_ANGLE, PLACE_BY_AREA,
-    SAMPLING, TYPES, VIEW_KEPT,
+    DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, DRAW_ONE, DRAW_RESAMPLED, SAMPLING, TRIANGLE_AREA,
+    TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
 };
 use super::lights::lights_by;
 use super::materials::lobes;
@@ -14,11 +14,11 @@ use crate::render::lights::LightKind;
 /// Direct light from the lights of a kind. From many lights of some extent, those that give much
 /// are sought out; from those that are near to surfaces, places are drawn by solid angle.
 pub fn direct(target: Target, kind: LightKind, many: bool, near: bool) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING, &VIEW_KEPT];
+    let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
     modules.extend(lobes(target));
     modules.extend(rays(target));
-    modules.push(&DIRECT);
-    let place = if near { &PLACE_BY_ANGLE } else { &PLACE_BY_AREA };
+    modules.push(&DIRECT_PARAMS);
+    let place = if near { &TRIANGLE_SOLID_ANGLE } else { &TRIANGLE_AREA };
     modules.extend(lights_by(target, kind, place));
     match kind.is_exact() {
         true => modules.push(&DIRECT_EXACT),

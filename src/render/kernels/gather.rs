@@ -1,10 +1,11 @@
 //! The programs that gather the light of many lights, and combine it over pixels.
 
 use super::catalogue::{
-    COLLECT, COMBINE, FINISH, GATHER, GIVEN_BACK, GIVEN_NONE, INTERLEAVED, ONE_SURFACE,
-    PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PIXELS, REFLECT, REMOVED, ROW_CLUSTER,
-    ROW_POINT, SEEN_FUZZY, SEEN_HARD, SEPARATE, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY,
-    SIGNATURE_NONE, SIGNATURE_PROBED, SURFACE_LOBE_CODE, SURFACE_LOBED, SURFACE_PLAIN, TYPES,
+    BSDF, CLAMPED_ENERGY, COMPENSATION_ADDED, COMPENSATION_NONE, DISCONTINUITY_BUFFER,
+    GATHER_PARAMS, JOIN_SUBSETS, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
+    PAIR_UNBOUNDED, PIXELS, REFLECT, ROW_CLUSTER, ROW_POINT, SEEN_FUZZY, SEEN_HARD, SHADE,
+    SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE, SIGNATURE_PROBED, SPLIT_SUBSETS, SUBSETS,
+    SURFACE_LOBE_CODE, SURFACE_LOBED, SURFACE_PLAIN, TYPES,
 };
 use super::materials::{albedo, gathered, lobes};
 use super::visibility::{Emitter, vpl};
@@ -13,35 +14,35 @@ use crate::render::features::Target;
 use crate::render::settings::Sharing;
 
 /// Interleaved sampling: points into the order of subsets.
-pub fn separate() -> Program {
-    let modules = vec![&TYPES, &PIXELS, &INTERLEAVED, &SEPARATE];
+pub fn split_subsets() -> Program {
+    let modules = vec![&TYPES, &PIXELS, &SUBSETS, &SPLIT_SUBSETS];
     Program::new("separation", modules)
 }
 
 /// Interleaved sampling: what points have gathered into rows of pixels, with signatures where
 /// their visibility is probed, and with what bias compensation gives back.
-pub fn collect(target: Target, probed: bool, compensated: bool) -> Program {
+pub fn join_subsets(target: Target, probed: bool, compensated: bool) -> Program {
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
-    let given = if compensated { &GIVEN_BACK } else { &GIVEN_NONE };
-    let mut modules = vec![&TYPES, gathered(target), &PIXELS, &INTERLEAVED, signature, given];
+    let given = if compensated { &COMPENSATION_ADDED } else { &COMPENSATION_NONE };
+    let mut modules = vec![&TYPES, gathered(target), &PIXELS, &SUBSETS, signature, given];
     modules.push(surface(target));
     if target.features.phong {
-        modules.extend([&FINISH, &SURFACE_LOBE_CODE]);
+        modules.extend([&BSDF, &SURFACE_LOBE_CODE]);
     }
-    modules.push(&COLLECT);
+    modules.push(&JOIN_SUBSETS);
     Program::new("collection", modules)
 }
 
 /// Interleaved sampling: what the pixels around have gathered.
-pub fn combine(target: Target) -> Program {
+pub fn discontinuity_buffer(target: Target) -> Program {
     let modules = vec![
         &TYPES,
         gathered(target),
         &PIXELS,
-        &INTERLEAVED,
+        &SUBSETS,
         &ONE_SURFACE,
         surface(target),
-        &COMBINE,
+        &DISCONTINUITY_BUFFER,
     ];
     Program::new("combination", modules)
 }
@@ -55,7 +56,7 @@ fn surface(target: Target) -> &'static Module {
 pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) -> Program {
     let bound = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
     let mut modules = [&[&TYPES, vpl(target)][..], &lobes(target)].concat();
-    modules.extend([bound, emitter.module(), &GATHER]);
+    modules.extend([bound, emitter.module(), &GATHER_PARAMS]);
     match sharing {
         Sharing::Own => modules.extend([&SEEN_HARD, &ROW_POINT]),
         Sharing::Cluster => modules.extend([&SEEN_HARD, &ROW_CLUSTER]),
@@ -78,10 +79,10 @@ pub fn reflect(target: Target) -> Program {
     Program::new("reflection", modules)
 }
 
-/// What the clamp removed, where points have gathered what bias compensation gives back or not.
-pub fn removed(target: Target, compensated: bool) -> Program {
-    let given = if compensated { &GIVEN_BACK } else { &GIVEN_NONE };
+/// What the clamp clamped_energy, where points have gathered what bias compensation gives back or not.
+pub fn clamped_energy(target: Target, compensated: bool) -> Program {
+    let given = if compensated { &COMPENSATION_ADDED } else { &COMPENSATION_NONE };
     let albedo = albedo(target.features);
-    let modules = [&[&TYPES][..], &lobes(target), &[albedo, given, &REMOVED]].concat();
+    let modules = [&[&TYPES][..], &lobes(target), &[albedo, given, &CLAMPED_ENERGY]].concat();
     Program::new("clamped energy", modules)
 }

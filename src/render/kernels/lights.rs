@@ -3,16 +3,16 @@
 use super::catalogue::{
     AREA_LIGHT, CHOOSE_LIGHT, DIRECTIONAL_LIGHT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT,
     ENVIRONMENT_IMAGE, ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, HEMISPHERE,
-    LIGHT_SAMPLE, LOCAL_LIGHT, PLACE_BY_AREA, POINT_LIGHT, SPHERE_CONE, SPHERE_LIGHT, SPOT_LIGHT,
+    LIGHT_SAMPLE, LOCAL_LIGHT, POINT_LIGHT, SPHERE_CONE, SPHERE_LIGHT, SPOT_LIGHT, TRIANGLE_AREA,
 };
-use super::materials::light_glow;
+use super::materials::light_emission_scale;
 use crate::gpu::Module;
 use crate::render::features::{Sky, Target};
 use crate::render::lights::LightKind;
 
 /// What a kernel needs to draw from the lights of a kind with a density that is known by area.
 pub fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
-    lights_by(target, kind, &PLACE_BY_AREA)
+    lights_by(target, kind, &TRIANGLE_AREA)
 }
 
 /// What a kernel needs to draw from the lights of a kind; `place` says where on a triangle.
@@ -22,7 +22,7 @@ pub fn lights_by(target: Target, kind: LightKind, place: &'static Module) -> Vec
         LightKind::Spot => vec![&LIGHT_SAMPLE, &SPOT_LIGHT, &LOCAL_LIGHT],
         LightKind::Directional => vec![&LIGHT_SAMPLE, &DIRECTIONAL_LIGHT],
         LightKind::Area => {
-            let mut modules = light_glow(target.features);
+            let mut modules = light_emission_scale(target.features);
             modules.extend([&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT, place]);
             modules
         }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 
-use super::catalogue::{HIT_POINT, LITERAL_RAY, VISIBILITY_LITERALS};
+use super::catalogue::{HIT_POINT, LITERALS, VISIBILITY_LITERALS};
 use crate::bvh::Bvh;
 use crate::gpu::{Module, Program, TriangleRecord};
 use crate::scene::Scene;
@@ -42,7 +42,7 @@ impl Literals {
     /// hierarchy everywhere: at 38 triangles 2.45 s and, of paths, 2.69 s; at 98 4.4 and 5.7 s.
     const MOST_TRIANGLES: usize = 64;
     /// Of more blockers, what four rays have to do with their edges fits no registers. Seconds of
-    /// the visibility pass in the frames above, through the hierarchy and with literals: 0.15 and
+    /// the visibility stage in the frames above, through the hierarchy and with literals: 0.15 and
     /// 0.08 with 38 triangles, 0.18 and 0.25 with 62, 0.20 and 0.37 with 98.
     /// 119 million rays to 500 VPLs: 2.2 and 1.4 s; with the walls, which block nothing, 3.7 and
     /// 6.8 s on a busy machine. One ray at a time takes as long as the hierarchy.
@@ -82,7 +82,7 @@ impl Literals {
     /// A program that asks for them, with them: all triangles where it finds what rays hit.
     pub fn complete(&self, program: Program) -> Program {
         let links = |module: &'static Module| program.modules.contains(&module);
-        let generated = match links(&LITERAL_RAY) || links(&VISIBILITY_LITERALS) {
+        let generated = match links(&LITERALS) || links(&VISIBILITY_LITERALS) {
             true if links(&HIT_POINT) => Some(self.all.clone()),
             true => Some(self.blockers.clone()),
             false => None,

@@ -1,10 +1,11 @@
 //! What is at the places that rays hit: the modules that textures and BSDFs choose.
 
 use super::catalogue::{
-    ALBEDO_PLAIN, ALBEDO_TEXTURED, FINISH, GATHERED_DIFFUSE, GATHERED_PHONG, GLOW_NONE,
-    GLOW_TEXTURED, KEEP_ALBEDO, KEEP_ALBEDO_NONE, KEEP_GLOW, KEEP_GLOW_NONE, LIGHT_PLAIN,
-    LIGHT_TEXTURED, LOBE_ENERGY, LOBES_DIFFUSE, LOBES_PHONG, MATERIAL_TEXTURES, PHONG,
-    SCATTER_DIFFUSE, SCATTER_PHONG, VIEW_KEPT,
+    ALBEDO_PLAIN, ALBEDO_TEXTURED, BSDF, EMISSION_SCALE_NONE, EMISSION_SCALE_TEXTURED,
+    GATHERED_DIFFUSE, GATHERED_PHONG, LIGHT_SCALE_NONE, LIGHT_SCALE_TEXTURED, LOBE_ENERGY,
+    LOBES_DIFFUSE, LOBES_PHONG, MATERIAL_TEXTURES, PHONG, SCATTER_DIFFUSE, SCATTER_PHONG,
+    STORE_ALBEDO, STORE_ALBEDO_NONE, STORE_EMISSION_SCALE, STORE_EMISSION_SCALE_NONE,
+    VIEW_DIRECTION,
 };
 use super::trace::textures;
 use crate::gpu::Module;
@@ -16,32 +17,39 @@ pub fn albedo(features: Features) -> &'static Module {
 }
 
 /// What the emission of points is multiplied by.
-pub fn glow(features: Features) -> &'static Module {
-    if features.glows { &GLOW_TEXTURED } else { &GLOW_NONE }
+pub fn emission_scale(features: Features) -> &'static Module {
+    if features.emission_textures { &EMISSION_SCALE_TEXTURED } else { &EMISSION_SCALE_NONE }
 }
 
 /// What the radiance of area lights is multiplied by.
-pub fn light_glow(features: Features) -> Vec<&'static Module> {
-    match features.glows {
-        true => [&textures(features)[..], &[&LIGHT_TEXTURED]].concat(),
-        false => vec![&LIGHT_PLAIN],
+pub fn light_emission_scale(features: Features) -> Vec<&'static Module> {
+    match features.emission_textures {
+        true => [&textures(features)[..], &[&LIGHT_SCALE_TEXTURED]].concat(),
+        false => vec![&LIGHT_SCALE_NONE],
     }
 }
 
 /// What keeps albedo and emission of points where rays have hit.
-pub fn keep(features: Features) -> Vec<&'static Module> {
+pub fn store_attributes(features: Features) -> Vec<&'static Module> {
     let mut modules = Vec::new();
-    if features.textures || features.glows {
+    if features.textures || features.emission_textures {
         modules.extend(textures(features).into_iter().chain([&MATERIAL_TEXTURES]));
     }
-    modules.push(if features.textures { &KEEP_ALBEDO } else { &KEEP_ALBEDO_NONE });
-    modules.push(if features.glows { &KEEP_GLOW } else { &KEEP_GLOW_NONE });
+    modules.push(if features.textures { &STORE_ALBEDO } else { &STORE_ALBEDO_NONE });
+    modules.push(if features.emission_textures {
+        &STORE_EMISSION_SCALE
+    } else {
+        &STORE_EMISSION_SCALE_NONE
+    });
     modules
 }
 
-/// The buffers that [`keep`] writes.
-pub fn kept(features: Features) -> Vec<&'static Module> {
-    let buffers = [(features.textures, albedo(features)), (features.glows, glow(features))];
+/// The buffers that [`store_attributes`] writes.
+pub fn attributes(features: Features) -> Vec<&'static Module> {
+    let buffers = [
+        (features.textures, albedo(features)),
+        (features.emission_textures, emission_scale(features)),
+    ];
     buffers.into_iter().filter_map(|(is, module)| is.then_some(module)).collect()
 }
 
@@ -53,7 +61,7 @@ pub fn gathered(target: Target) -> &'static Module {
 /// How points gather, and what they reflect of it.
 pub fn lobes(target: Target) -> Vec<&'static Module> {
     match target.features.phong {
-        true => vec![&GATHERED_PHONG, &VIEW_KEPT, &FINISH, &PHONG, &LOBE_ENERGY, &LOBES_PHONG],
+        true => vec![&GATHERED_PHONG, &VIEW_DIRECTION, &BSDF, &PHONG, &LOBE_ENERGY, &LOBES_PHONG],
         false => vec![&GATHERED_DIFFUSE, &LOBE_ENERGY, &LOBES_DIFFUSE],
     }
 }
@@ -61,7 +69,7 @@ pub fn lobes(target: Target) -> Vec<&'static Module> {
 /// How surfaces scatter light.
 pub fn scatter(target: Target) -> Vec<&'static Module> {
     match target.features.phong {
-        true => vec![&GATHERED_PHONG, &FINISH, &PHONG, &LOBE_ENERGY, &LOBES_PHONG, &SCATTER_PHONG],
+        true => vec![&GATHERED_PHONG, &BSDF, &PHONG, &LOBE_ENERGY, &LOBES_PHONG, &SCATTER_PHONG],
         false => vec![&SCATTER_DIFFUSE],
     }
 }

@@ -1,16 +1,16 @@
 //! The programs of the path tracer.
 
-use super::camera::{camera_rays, follow, kept_points};
+use super::camera::{camera_rays, point_attributes, specular_chain};
 use super::catalogue::{
     BACKGROUND, CHOOSE_LIGHT, EMIT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE,
-    HEMISPHERE, MIS, NO_ROULETTE, PATH, PATH_BACK, PATH_BACKGROUND, PATH_BACKGROUND_WEIGHTED,
-    PATH_CAMERA, PATH_COMPACT, PATH_COUNT, PATH_EMISSION, PATH_EMISSION_ANY, PATH_EXACT,
-    PATH_FOLLOW, PATH_FOUND, PATH_LIGHT, PATH_NO_BACKGROUND, PATH_NO_EMISSION, PATH_RANDOM,
-    PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, ROULETTE, SAMPLING, SPHERE_CONE,
-    THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_KEPT, WAY_BACK,
+    HEMISPHERE, MIS, PATH_BACKGROUND, PATH_BACKGROUND_NONE, PATH_BACKGROUND_WEIGHTED, PATH_CAMERA,
+    PATH_COMPACT, PATH_CONTRIBUTION, PATH_COUNT, PATH_EMISSION, PATH_EMISSION_ANY,
+    PATH_EMISSION_NONE, PATH_EXACT, PATH_FOLLOW, PATH_FOUND, PATH_LIGHT, PATH_PARAMS, PATH_RANDOM,
+    PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, RAY_OFFSET, ROULETTE, ROULETTE_NONE,
+    SAMPLING, SPHERE_CONE, THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_DIRECTION,
 };
 use super::lights::{has_kind, lights_of, sky};
-use super::materials::{albedo, glow, keep, scatter};
+use super::materials::{albedo, emission_scale, scatter, store_attributes};
 use super::trace::rays;
 use crate::gpu::{Module, Program};
 use crate::render::features::{Sky, Target};
@@ -19,16 +19,16 @@ use crate::render::settings::{Bounces, Direct, Settings};
 
 /// Camera rays.
 pub fn camera(target: Target) -> Program {
-    let mut modules = camera_rays(target, &kept_points(target.features));
-    modules.extend([&WAY_BACK, &VIEW_KEPT, &PATH_STATE, &PATH_CAMERA]);
+    let mut modules = camera_rays(target, &point_attributes(target.features));
+    modules.extend([&RAY_OFFSET, &VIEW_DIRECTION, &PATH_STATE, &PATH_CAMERA]);
     Program::new("paths, camera", modules)
 }
 
-/// What passes at the vertices of paths share, and how surfaces scatter light there.
+/// What stages at the vertices of paths share, and how surfaces scatter light there.
 pub fn vertex(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let first = [&TYPES, &SAMPLING, &HEMISPHERE, &VIEW_KEPT];
+    let first = [&TYPES, &SAMPLING, &HEMISPHERE, &VIEW_DIRECTION];
     let rays = rays(target);
-    let path = [&PATH, &PATH_STATE, &PATH_RANDOM, albedo(target.features)];
+    let path = [&PATH_PARAMS, &PATH_STATE, &PATH_RANDOM, albedo(target.features)];
     [&first[..], &rays, &path, &scatter(target), last].concat()
 }
 
@@ -38,14 +38,14 @@ pub fn emit(target: Target) -> Program {
         true => &[&PATH_STATE, &THROUGHPUT_PATH],
         false => &[&THROUGHPUT_NONE],
     };
-    let last = [glow(target.features), &EMIT];
+    let last = [emission_scale(target.features), &EMIT];
     Program::new("emission", [&[&TYPES], throughput, &last].concat())
 }
 
 /// Shadow rays to the lights of a kind; none to a constant environment, which the next segment
 /// finds as well.
 pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
-    next_event_by(target, kind, &[&PATH_BACK])
+    next_event_by(target, kind, &[&PATH_CONTRIBUTION])
 }
 
 /// The same with what tells how much of the light paths bring back.
@@ -80,10 +80,10 @@ pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
 
 /// How segments of paths go on and end, and what light they happen upon.
 pub fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static Module> {
-    let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &NO_ROULETTE };
-    let mut last = follow(target);
-    last.extend([&WAY_BACK, &PATH_FOLLOW, survival, glow(target.features)]);
-    last.extend(keep(target.features));
+    let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &ROULETTE_NONE };
+    let mut last = specular_chain(target);
+    last.extend([&RAY_OFFSET, &PATH_FOLLOW, survival, emission_scale(target.features)]);
+    last.extend(store_attributes(target.features));
     let sky = target.features.sky;
     if areas || sky.shines() {
         last.push(&PATH_FOUND);
@@ -92,12 +92,12 @@ pub fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static M
         last.push(&MIS);
     }
     match target.features.sphere_lights {
-        _ if !areas => last.push(&PATH_NO_EMISSION),
+        _ if !areas => last.push(&PATH_EMISSION_NONE),
         true => last.extend([&SPHERE_CONE, &PATH_EMISSION_ANY]),
         false => last.push(&PATH_EMISSION),
     }
     match sky {
-        Sky::None => last.push(&PATH_NO_BACKGROUND),
+        Sky::None => last.push(&PATH_BACKGROUND_NONE),
         Sky::Constant => last.extend([&ENVIRONMENT_CONSTANT, &PATH_BACKGROUND]),
         Sky::Image => {
             last.extend([&ENVIRONMENT_IMAGE, &ENVIRONMENT_CELLS, &PATH_BACKGROUND_WEIGHTED]);
@@ -108,17 +108,17 @@ pub fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static M
 
 /// How many paths go on.
 pub fn count() -> Program {
-    Program::new("paths, count", vec![&TYPES, &PATH, &PATH_COUNT])
+    Program::new("paths, count", vec![&TYPES, &PATH_PARAMS, &PATH_COUNT])
 }
 
 /// The queue of those that do.
 pub fn compact() -> Program {
-    Program::new("paths, queue", vec![&TYPES, &PATH, &PATH_COMPACT])
+    Program::new("paths, queue", vec![&TYPES, &PATH_PARAMS, &PATH_COMPACT])
 }
 
 /// Mean and spread of the samples of pixels.
 pub fn sum() -> Program {
-    Program::new("paths, sum", vec![&PATH, &PATH_SUM])
+    Program::new("paths, sum", vec![&PATH_PARAMS, &PATH_SUM])
 }
 
 /// Whether paths have a vertex where they seek light straight from its source.

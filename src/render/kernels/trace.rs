@@ -1,9 +1,9 @@
 //! How rays are traced: the modules that a scene's shapes choose, and its size.
 
 use super::catalogue::{
-    BLOCKER_ANY, BLOCKER_TRIANGLE, LITERAL_RAY, OPAQUE_ALL, OPAQUE_CUTOUT, PACKET_RAYS,
-    PACKET_SHAFT, RAY, SHAPE_ANY, SHAPE_TRIANGLE, TEXTURE, TRAVERSE, TRAVERSE_PACKET, UV_ANY,
-    UV_TRIANGLE, VISIBILITY, VISIBILITY_LITERALS, VISIBILITY_PACKET,
+    BLOCKER_ANY, BLOCKER_TRIANGLE, LITERALS, OPAQUE_ALL, OPAQUE_CUTOUT, PACKET_RAYS, PACKET_SHAFT,
+    RAY, SHAPE_ANY, SHAPE_TRIANGLE, TEXTURE, TRAVERSE, TRAVERSE_PACKET, UV_ANY, UV_TRIANGLE,
+    VISIBILITY_LITERALS, VISIBILITY_PACKET, VISIBILITY_SINGLE,
 };
 use crate::gpu::Module;
 use crate::render::features::{Features, Target};
@@ -40,7 +40,7 @@ pub fn blockers(features: Features) -> Vec<&'static Module> {
 /// How rays are traced that neighbours trace alike.
 fn traverse(target: Target) -> &'static Module {
     match target.subgroups {
-        _ if target.literals => &LITERAL_RAY,
+        _ if target.literals => &LITERALS,
         true => &TRAVERSE_PACKET,
         false => &TRAVERSE,
     }
@@ -88,7 +88,7 @@ impl Tracing {
     /// What traces them, after what they may meet.
     pub(super) fn modules(self) -> Vec<&'static Module> {
         match self {
-            Self::Single => vec![&TRAVERSE, &VISIBILITY],
+            Self::Single => vec![&TRAVERSE, &VISIBILITY_SINGLE],
             Self::Shaft => vec![&PACKET_SHAFT, &VISIBILITY_PACKET],
             Self::Rays => vec![&PACKET_RAYS, &VISIBILITY_PACKET],
             Self::Literals => vec![&VISIBILITY_LITERALS],

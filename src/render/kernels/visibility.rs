@@ -1,7 +1,8 @@
 //! The programs of shadow rays between points and many lights: VPLs, or places on light sources.
 
 use super::catalogue::{
-    BITS, EMITTER_POINT, EMITTER_SURFACE, EXPAND, RAY, TYPES, VIEW_KEPT, VPL_DIFFUSE, VPL_GLOSSY,
+    BITS, EMITTER_POINT, EMITTER_SURFACE, EXPAND, RAY, TYPES, VIEW_DIRECTION, VPL_DIFFUSE,
+    VPL_GLOSSY,
 };
 use super::trace::{Tracing, blockers, shapes};
 use crate::gpu::{Module, Program};
@@ -58,7 +59,7 @@ pub fn vpl(target: Target) -> &'static Module {
 
 /// Shadow rays between points and lights.
 pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program {
-    let mut modules = vec![&TYPES, &VIEW_KEPT, vpl(target)];
+    let mut modules = vec![&TYPES, &VIEW_DIRECTION, vpl(target)];
     modules.extend(match tracing {
         Tracing::Single => shapes(target.features),
         Tracing::Shaft | Tracing::Rays => blockers(target.features),

@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 
 use glam::Vec3;
 
-use super::start::{Start, leave};
+use super::start::{Start, spawn_ray};
 use super::table::{Share, Table, mean};
 use crate::gpu::AreaLightRecord;
-use crate::render::materials::hit::light_glow;
+use crate::render::materials::hit::light_emission_scale;
 use crate::render::virtual_light::VirtualLight;
 use crate::sampling::{Sequence, cosine_hemisphere, uniform_triangle};
 use crate::scene::Scene;
@@ -44,7 +44,7 @@ pub fn triangles(scene: &Scene) -> Table<AreaLightRecord> {
 fn place(scene: &Scene, light: &AreaLightRecord, triangle: u32, u: [f32; 2]) -> (Vec3, Vec3) {
     let [b, c] = uniform_triangle(u);
     let [corner, edge1, edge2] = [light.corner, light.edge1, light.edge2].map(Vec3::from_array);
-    (corner + edge1 * b + edge2 * c, light_glow(scene, triangle, [1.0 - b - c, b, c]))
+    (corner + edge1 * b + edge2 * c, light_emission_scale(scene, triangle, [1.0 - b - c, b, c]))
 }
 
 /// A place uniform on the triangle, a direction by the cosine; `side` is another random number.
@@ -63,7 +63,7 @@ pub fn start(
     let (position, glow) = place(scene, light, triangle, [a, b]);
     // L cos θ over the density of position and direction.
     let flux = Vec3::from_array(light.radiance) * glow * (PI as f32 * light.area * sides);
-    Start { ray: leave(position, normal, direction), flux }
+    Start { ray: spawn_ray(position, normal, direction), flux }
 }
 
 /// `count` places on the triangles of `emitters`, chosen by power and then uniform, as lights that together give the light of all.

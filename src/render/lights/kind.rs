@@ -1,6 +1,6 @@
 //! The kinds of light sources.
 
-/// The kinds of light sources, each with a table and passes of its own.
+/// The kinds of light sources, each with a table and stages of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LightKind {
     /// Lights without extent that shine in all directions.

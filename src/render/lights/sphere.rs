@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::Vec3;
 
-use super::start::{Start, leave};
+use super::start::{Start, spawn_ray};
 use super::table::{Share, Table, mean};
 use crate::gpu::SphereLightRecord;
 use crate::sampling::{cosine_hemisphere, uniform_sphere};
@@ -41,5 +41,5 @@ pub fn start(light: &SphereLightRecord, side: f32, [a, b, u, v]: [f32; 4]) -> St
     // L cos θ over the density of position and direction.
     let area = 4.0 * PI as f32 * light.radius * light.radius;
     let flux = Vec3::from_array(light.radiance) * (PI as f32 * area * sides);
-    Start { ray: leave(position, normal, direction), flux }
+    Start { ray: spawn_ray(position, normal, direction), flux }
 }

@@ -15,6 +15,6 @@ pub struct Start {
 }
 
 /// A ray from a surface.
-pub fn leave(position: Vec3, normal: Vec3, direction: Vec3) -> Ray {
+pub fn spawn_ray(position: Vec3, normal: Vec3, direction: Vec3) -> Ray {
     Ray { origin: position + normal * SURFACE_OFFSET, direction, limit: f32::MAX }
 }

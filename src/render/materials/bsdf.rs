@@ -11,20 +11,20 @@ use crate::scene::{Finish, Material, Scene};
 
 /// Where light is scattered.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct ShadingPoint {
     /// Unit normal of the side that is lit and seen.
     pub normal: Vec3,
     /// Diffuse reflectance.
     pub albedo: Vec3,
     /// What there is beside it.
     pub finish: Finish,
-    /// The probability that a direction is drawn from a Phong lobe, see [`gloss`].
-    pub gloss: f32,
+    /// The probability that a direction is drawn from a Phong lobe, see [`lobe_probability`].
+    pub lobe_probability: f32,
 }
 
 /// A direction in which light goes on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scattered {
+pub struct BsdfSample {
     /// Unit vector.
     pub direction: Vec3,
     /// BRDF times cosine over the density; 0 below the surface.
@@ -33,7 +33,7 @@ pub struct Scattered {
     pub density: f32,
 }
 
-impl Place {
+impl ShadingPoint {
     /// The BRDF between unit directions away from the surface, in 1/sr: modified Phong (Lafortune
     /// and Willems 1994), of which the diffuse part alone is Lambert's.
     pub fn brdf(&self, view: Vec3, toward: Vec3) -> Vec3 {
@@ -47,31 +47,34 @@ impl Place {
         }
     }
 
-    /// The density with which [`Place::scatter`] draws a direction, by solid angle.
+    /// The density with which [`ShadingPoint::scatter`] draws a direction, by solid angle.
     pub fn density(&self, view: Vec3, toward: Vec3) -> f32 {
         let diffuse = self.normal.dot(toward).max(0.0) / PI;
         match self.finish {
             Finish::Phong { shininess, .. } => {
                 let lobe = lobe(self.mirrored(view), toward, shininess);
                 let glossy = (shininess + 1.0) / (2.0 * PI) * lobe;
-                (1.0 - self.gloss) * diffuse + self.gloss * glossy
+                (1.0 - self.lobe_probability) * diffuse + self.lobe_probability * glossy
             }
             _ => diffuse,
         }
     }
 
-    /// Draws a direction by the cosine about the normal, or, as often as `gloss` says, by cosⁿ
+    /// Draws a direction by the cosine about the normal, or, as often as `lobe_probability` says, by cosⁿ
     /// about the mirrored direction.
-    pub fn scatter(&self, view: Vec3, u: [f32; 2]) -> Scattered {
+    pub fn scatter(&self, view: Vec3, u: [f32; 2]) -> BsdfSample {
         let Finish::Phong { shininess, .. } = self.finish else {
             let direction = cosine_hemisphere(self.normal, u);
             let density = self.density(view, direction);
-            return Scattered { direction, weight: self.albedo, density };
+            return BsdfSample { direction, weight: self.albedo, density };
         };
-        let glossy = u[0] < self.gloss;
+        let glossy = u[0] < self.lobe_probability;
         // What is left of the number that has chosen is uniform again.
-        let (before, share) =
-            if glossy { (0.0, self.gloss) } else { (self.gloss, 1.0 - self.gloss) };
+        let (before, share) = if glossy {
+            (0.0, self.lobe_probability)
+        } else {
+            (self.lobe_probability, 1.0 - self.lobe_probability)
+        };
         let rest = [((u[0] - before) / share).clamp(0.0, 1.0), u[1]];
         let direction = match glossy {
             true => {
@@ -85,7 +88,7 @@ impl Place {
             true => self.brdf(view, direction) * (cosine / density),
             false => Vec3::ZERO,
         };
-        Scattered { direction, weight, density }
+        BsdfSample { direction, weight, density }
     }
 
     /// The mirrored direction.
@@ -102,7 +105,7 @@ pub fn lobe(one: Vec3, other: Vec3, shininess: f32) -> f32 {
 
 /// With which probability a direction is drawn from a material's Phong lobe: the lobe's share of
 /// what it reflects.
-pub fn gloss(material: &Material) -> f32 {
+pub fn lobe_probability(material: &Material) -> f32 {
     match material.finish {
         Finish::Phong { specular, .. } if specular.max_element() > 0.0 => {
             let (diffuse, lobe) = (material.albedo.element_sum(), specular.element_sum());
@@ -114,7 +117,7 @@ pub fn gloss(material: &Material) -> f32 {
 
 /// What is carried along a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Carried {
+pub enum TransportMode {
     /// Radiance, from where the path goes to where it came from.
     Radiance,
     /// Flux, the way of the path.
@@ -123,7 +126,7 @@ pub enum Carried {
 
 /// The way on at a mirror or glass.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turned {
+pub struct SpecularSample {
     /// Unit vector.
     pub direction: Vec3,
     /// What the path carries on.
@@ -134,32 +137,32 @@ pub struct Turned {
 
 /// Where light that goes along `direction` goes on at a mirror or glass, of which `front` is lit
 /// with the normal `normal`. Glass reflects if `u` is below Fresnel's reflectance, else refracts.
-pub fn turn(
+pub fn sample_specular(
     finish: &Finish,
     normal: Vec3,
     front: bool,
     direction: Vec3,
     u: f32,
-    carried: Carried,
-) -> Option<Turned> {
+    carried: TransportMode,
+) -> Option<SpecularSample> {
     let cosine = -direction.dot(normal);
     let mirrored = (direction + 2.0 * cosine * normal).normalize();
     let (specular, ior) = match *finish {
         Finish::Mirror { specular } => {
-            return Some(Turned { direction: mirrored, weight: specular, reflected: true });
+            return Some(SpecularSample { direction: mirrored, weight: specular, reflected: true });
         }
         Finish::Glass { specular, ior } => (specular, ior),
         Finish::Diffuse | Finish::Phong { .. } => return None,
     };
     let eta = if front { ior } else { 1.0 / ior };
     if u < fresnel(cosine, eta) {
-        return Some(Turned { direction: mirrored, weight: specular, reflected: true });
+        return Some(SpecularSample { direction: mirrored, weight: specular, reflected: true });
     }
     let beyond = (1.0 - (1.0 - cosine * cosine) / (eta * eta)).max(0.0).sqrt();
     let direction = (direction / eta + (cosine / eta - beyond) * normal).normalize();
     // Radiance is denser where light is slower (Veach, "Robust Monte Carlo Methods", 5.2).
-    let density = if carried == Carried::Radiance { eta * eta } else { 1.0 };
-    Some(Turned { direction, weight: specular / density, reflected: false })
+    let density = if carried == TransportMode::Radiance { eta * eta } else { 1.0 };
+    Some(SpecularSample { direction, weight: specular / density, reflected: false })
 }
 
 /// Fresnel's reflectance of unpolarised light under a cosine; `eta` is the index of refraction of
@@ -189,6 +192,6 @@ pub fn finish_record(material: &Material) -> FinishRecord {
         Finish::Mirror { specular } => (2, specular, 0.0),
         Finish::Glass { specular, ior } => (3, specular, ior),
     };
-    let (specular, gloss) = (specular.to_array(), gloss(material));
-    FinishRecord { specular, kind, parameter, gloss, pad: [0; 2] }
+    let (specular, lobe_probability) = (specular.to_array(), lobe_probability(material));
+    FinishRecord { specular, kind, parameter, lobe_probability, pad: [0; 2] }
 }

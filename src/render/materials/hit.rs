@@ -55,17 +55,17 @@ impl Surface {
     }
 
     /// Where a VPL is put: from there, rays start straight above.
-    pub fn foot(&self) -> Vec3 {
+    pub fn vpl_position(&self) -> Vec3 {
         self.position + (self.back - SURFACE_OFFSET * self.normal)
     }
 
     /// A ray that stays on this side.
-    pub fn leave(&self, direction: Vec3) -> Ray {
+    pub fn spawn_ray(&self, direction: Vec3) -> Ray {
         Ray { origin: self.position + self.back, direction, limit: f32::MAX }
     }
 
     /// A ray that goes on behind.
-    pub fn pass(&self, direction: Vec3) -> Ray {
+    pub fn spawn_transmitted_ray(&self, direction: Vec3) -> Ray {
         Ray { origin: self.position + self.through, direction, limit: f32::MAX }
     }
 }
@@ -98,7 +98,7 @@ fn textured(scene: &Scene, used: Option<u32>, hit: &Hit) -> Vec3 {
 
 /// What the radiance of an emitting triangle is multiplied by at a place. The twin of
 /// `shaders/lights/light_scale_textured.wgsl`.
-pub fn light_glow(scene: &Scene, triangle: u32, weights: [f32; 3]) -> Vec3 {
+pub fn light_emission_scale(scene: &Scene, triangle: u32, weights: [f32; 3]) -> Vec3 {
     let material = &scene.materials[scene.triangles[triangle as usize].material as usize];
     let uv = || texture::on_triangle(scene.uvs[triangle as usize], weights);
     let sample = |used: u32| scene.textures[used as usize].sample(&scene.images, uv());

@@ -1,4 +1,4 @@
-//! The passes of paths, with the buffers of a wave bound to them.
+//! The stages of paths, with the buffers of a wave bound to them.
 
 use super::vertices::{Queue, Vertices};
 use crate::gpu::{CameraParams, GpuError, PathParams, PathSum, Program};
@@ -8,7 +8,7 @@ use crate::render::prepared::Prepared;
 use crate::render::settings::Settings;
 use crate::render::stage::{Named, Stage};
 
-/// The passes.
+/// The stages.
 #[derive(Debug)]
 pub struct Stages {
     /// What the samples of each pixel came to.
@@ -67,7 +67,7 @@ impl Stages {
     }
 }
 
-/// The passes that seek the lights of each kind, by their programs, and how many lights those are.
+/// The stages that seek the lights of each kind, by their programs, and how many lights those are.
 ///
 /// # Errors
 /// The device refuses.
@@ -76,15 +76,15 @@ pub fn next_event(
     named: &[Named<'_>],
     program: &dyn Fn(LightKind) -> Option<Program>,
 ) -> Result<Vec<(Stage, u32)>, GpuError> {
-    let mut passes = Vec::new();
+    let mut stages = Vec::new();
     for (kind, table) in &prepared.light_tables {
         if let Some(program) = program(*kind) {
             let named = [named, &[("lights", table)]].concat();
             let stage = Stage::new(prepared, &program, &named)?;
-            passes.push((stage, prepared.lights.count(*kind)));
+            stages.push((stage, prepared.lights.count(*kind)));
         }
     }
-    Ok(passes)
+    Ok(stages)
 }
 
 // The buffer of a stage's parameters has room for the largest.

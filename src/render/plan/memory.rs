@@ -39,7 +39,7 @@ pub fn tables(
             ("textures of materials", of::<[u32; 2]>(materials)),
         ]);
     }
-    if features.glows {
+    if features.emission_textures {
         tables.push(("textures of area lights", of::<[u32; 4]>(scene.emitters().count())));
     }
     tables.extend(lights.kinds().map(|kind| match kind {

@@ -3,8 +3,8 @@
 use super::Plan;
 use crate::gpu::Program;
 use crate::render::kernels::{
-    self, Emitter, antialias, background, collect, combine, compensation, emit, expand, path,
-    reflect, removed, resolve, separate, shade, show, visible_points,
+    self, Emitter, antialias, background, clamped_energy, compensation, discontinuity_buffer, emit,
+    expand, join_subsets, path, reflect, resolve, shade, show, split_subsets, visible_points,
 };
 use crate::render::lights::LightKind;
 use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
@@ -52,13 +52,13 @@ impl Plan {
                 reflect(target),
             ]);
             let combined = settings.compensates() && settings.interleaves();
-            programs.extend(bounded.then(|| removed(target, combined)));
+            programs.extend(bounded.then(|| clamped_energy(target, combined)));
             programs.extend(settings.shares_columns().then(expand));
             if settings.interleaves() {
                 programs.extend([
-                    separate(),
-                    collect(target, settings.probes(), settings.compensates()),
-                    combine(target),
+                    split_subsets(),
+                    join_subsets(target, settings.probes(), settings.compensates()),
+                    discontinuity_buffer(target),
                 ]);
             }
             if settings.compensates() {

@@ -5,7 +5,7 @@ use glam::Vec2;
 use crate::bvh::Bvh;
 use crate::gpu::{Gpu, GpuError, MaterialRecord, NodeRecord, TextureRecord, TriangleRecord};
 use crate::render::features::Features;
-use crate::render::materials::bsdf as scatter;
+use crate::render::materials::bsdf;
 use crate::render::plan::memory::used_images;
 use crate::scene::{Material, Scene, Texture, Wrap};
 
@@ -71,7 +71,7 @@ pub fn upload(
         ("materials", gpu.storage_of("materials", &materials)?),
     ];
     if features.has_finishes() {
-        tables.push(("finishes", gpu.storage_of("finishes", &scatter::finishes(scene))?));
+        tables.push(("finishes", gpu.storage_of("finishes", &bsdf::finishes(scene))?));
     }
     if features.has_textures() {
         let (texels, textures) = pack(scene);
@@ -85,7 +85,7 @@ pub fn upload(
             ("material_textures", gpu.storage_of("textures of materials", &used)?),
         ]);
     }
-    if features.glows {
+    if features.emission_textures {
         let lights = light_textures(scene);
         tables.push(("light_textures", gpu.storage_of("textures of area lights", &lights)?));
     }

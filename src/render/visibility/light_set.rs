@@ -7,7 +7,7 @@ use crate::gpu::{GlossyVplRecord, GpuError, VplRecord};
 use crate::render::clusters::{VplClusters, morton};
 use crate::render::kernels::Emitter;
 use crate::render::prepared::Prepared;
-use crate::render::virtual_light::{Gloss, VirtualLight};
+use crate::render::virtual_light::{GlossyLobe, VirtualLight};
 
 /// Lights that points gather.
 #[derive(Debug)]
@@ -186,7 +186,7 @@ fn diffuse(light: &VirtualLight, scale: f32) -> VplRecord {
 fn glossy(light: &VirtualLight, scale: f32) -> GlossyVplRecord {
     let VplRecord { position, normal, intensity, mean, .. } = diffuse(light, scale);
     let plain = GlossyVplRecord { position, normal, intensity, mean, ..Zeroable::zeroed() };
-    let Some(Gloss { specular, shininess, mirrored, .. }) = light.gloss else { return plain };
+    let Some(GlossyLobe { specular, shininess, mirrored, .. }) = light.gloss else { return plain };
     let specular = specular * scale;
     GlossyVplRecord {
         shininess,

@@ -52,7 +52,7 @@ impl<'a> Tracer<'a> {
         Ok(Self { prepared, words, counter, rays_at_once: Cell::new(rays_at_once) })
     }
 
-    /// Binds the buffers of a pass: points, lights and the bits that are written.
+    /// Binds the buffers of a stage: points, lights and the bits that are written.
     ///
     /// # Errors
     /// The device refuses.

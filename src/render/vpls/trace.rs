@@ -7,10 +7,10 @@ use rayon::prelude::*;
 
 use crate::bvh::{Bvh, Ray};
 use crate::render::lights::{Lights, Start};
-use crate::render::materials::bsdf::{self as scatter, Carried, Place};
+use crate::render::materials::bsdf::{self, ShadingPoint, TransportMode};
 use crate::render::materials::hit::Surface;
 use crate::render::settings::Bounces;
-use crate::render::virtual_light::{Gloss, VirtualLight};
+use crate::render::virtual_light::{GlossyLobe, VirtualLight};
 use crate::sampling::Sequence;
 use crate::scene::{Finish, Scene};
 
@@ -19,7 +19,7 @@ const MOST_SURVIVAL: f32 = 0.95;
 /// Dimensions of the sequence that the start of a path takes; a bounce takes three.
 const START_DIMENSIONS: u32 = 5;
 /// The first dimension of what chooses between reflection and refraction, in a block of its own.
-const TURN_DIMENSION: u32 = 1 << 20;
+const SPECULAR_DIMENSION: u32 = 1 << 20;
 /// Mirrors and glass that a path meets at most.
 const MOST_SPECULAR: u32 = 32;
 
@@ -46,7 +46,7 @@ impl Vpl {
     /// The light that the surface reflects.
     pub fn light(&self, scene: &Scene) -> VirtualLight {
         let gloss = match scene.materials[self.material as usize].finish {
-            Finish::Phong { specular, shininess } => Some(Gloss {
+            Finish::Phong { specular, shininess } => Some(GlossyLobe {
                 material: self.material,
                 specular: self.flux * specular / PI,
                 shininess,
@@ -89,7 +89,7 @@ impl LightPaths<'_> {
     fn trace_one(&self, sequence: &Sequence, path: u32) -> Vec<Vpl> {
         let mut vpls = Vec::new();
         let Some((mut ray, mut flux)) = self.start(sequence, path) else { return vpls };
-        let (mut bounce, mut turns) = (0u32, 0u32);
+        let (mut bounce, mut specular) = (0u32, 0u32);
         while !matches!(self.bounces, Bounces::Finite(most) if bounce >= most) {
             let Some(hit) = self.bvh.closest(&ray) else { break };
             let surface = Surface::of(self.scene, &hit, ray.direction);
@@ -99,26 +99,27 @@ impl LightPaths<'_> {
             let incident = ray.direction;
             if finish.is_specular() {
                 // Between facing mirrors it would go on for ever.
-                let u = sequence.sample(path, TURN_DIMENSION + turns);
-                let turned = scatter::turn(&finish, normal, front, incident, u, Carried::Flux);
-                let Some(turned) = turned.filter(|_| turns < MOST_SPECULAR) else { break };
-                flux *= turned.weight;
-                ray = match turned.reflected {
-                    true => surface.leave(turned.direction),
-                    false => surface.pass(turned.direction),
+                let u = sequence.sample(path, SPECULAR_DIMENSION + specular);
+                let sample =
+                    bsdf::sample_specular(&finish, normal, front, incident, u, TransportMode::Flux);
+                let Some(sample) = sample.filter(|_| specular < MOST_SPECULAR) else { break };
+                flux *= sample.weight;
+                ray = match sample.reflected {
+                    true => surface.spawn_ray(sample.direction),
+                    false => surface.spawn_transmitted_ray(sample.direction),
                 };
-                turns += 1;
+                specular += 1;
                 continue;
             }
-            let gloss = scatter::gloss(of_surface);
-            let place = Place { normal, albedo, finish, gloss };
+            let lobe_probability = bsdf::lobe_probability(of_surface);
+            let place = ShadingPoint { normal, albedo, finish, lobe_probability };
             // A black surface ends the path, and would be a light of no intensity.
-            if (flux * (albedo + Vec3::splat(gloss))).max_element() <= 0.0 {
+            if (flux * (albedo + Vec3::splat(lobe_probability))).max_element() <= 0.0 {
                 break;
             }
             let dimension = START_DIMENSIONS + 3 * bounce;
             bounce += 1;
-            let position = surface.foot();
+            let position = surface.vpl_position();
             vpls.push(Vpl { position, normal, incident, flux, albedo, material, bounce });
 
             let draw = |i| sequence.sample(path, dimension + i);
@@ -131,7 +132,7 @@ impl LightPaths<'_> {
                 }
                 flux /= survival;
             }
-            ray = surface.leave(scattered.direction);
+            ray = surface.spawn_ray(scattered.direction);
         }
         vpls
     }

@@ -8,7 +8,7 @@ use crate::bvh::{Bvh, Ray};
 use crate::gpu::{Gpu, GpuError, Module, Pass, PointRecord, Program};
 use crate::render::Features;
 use crate::render::kernels::catalogue::{
-    CORNERS, LITERAL_RAY, RAY, SHAPE_TRIANGLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
+    HIT_TRIANGLES, LITERALS, RAY, SHAPE_TRIANGLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
 };
 use crate::render::kernels::literals::{Literals, meet};
 use crate::render::kernels::shapes;
@@ -123,7 +123,7 @@ pub fn on_device(gpu: &Gpu, world: &World, rays: &[Ray], any: bool) -> Result<An
     let plain = world.features == Features::default();
     if plain && world.bvh.triangles.len() <= MOST_LITERALS {
         let text = Some(meet(&world.bvh.triangles).into());
-        let modules = [&RAY, &SHAPE_TRIANGLE, &LITERAL_RAY, &CORNERS];
+        let modules = [&RAY, &SHAPE_TRIANGLE, &LITERALS, &HIT_TRIANGLES];
         sides.push(("device, literals", with(&modules, text)?));
     }
     Ok(sides)
