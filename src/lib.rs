@@ -71,6 +71,7 @@ pub mod cluster;
 pub mod error;
 pub mod gpu;
 pub mod image;
+mod message;
 pub mod metrics;
 pub mod render;
 pub mod report;
