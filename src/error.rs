@@ -2,6 +2,7 @@
 
 use crate::gpu::GpuError;
 pub use crate::image::{ImageError, OutputError};
+use crate::render::SettingsError;
 pub use crate::scene::SceneError;
 
 /// Everything that ends a command early.
@@ -50,5 +51,11 @@ impl Error {
             Self::OverLimit(_) => 4,
             Self::Interrupted(_) => 130,
         }
+    }
+}
+
+impl From<SettingsError> for Error {
+    fn from(refusal: SettingsError) -> Self {
+        Self::Usage(refusal.to_string())
     }
 }

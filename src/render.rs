@@ -39,7 +39,9 @@ pub use frame::{Counts, Frame, Phases};
 pub use kernels::{Kernels, all_programs};
 pub use light::{LightKind, Lights};
 pub use plan::Plan;
-pub use settings::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
+pub use settings::{
+    Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings, SettingsError,
+};
 pub use vpl::{LightPaths, Vpl};
 
 pub use gather::chunk_words;
