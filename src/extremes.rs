@@ -7,51 +7,21 @@
 mod bake;
 mod cases;
 pub mod checks;
+mod figure;
+mod front;
 mod judge;
 mod runner;
+mod scale;
 mod shapes;
-mod stage;
+mod staging;
 pub mod table;
-
-use serde::{Deserialize, Serialize};
 
 pub use bake::Bake;
 pub use cases::{CASES, Case, Cases, Expect, Like, Own, Radiance, Row, SceneText};
+pub use figure::Figure;
+pub use front::{Asked, Front};
 pub use runner::{Judged, Runner, Verdict};
-pub use stage::{Asked, Front};
+pub use scale::Scale;
 
 /// The name of the preset.
 pub const NAME: &str = "extremes";
-
-/// How large cases are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
-    /// For tests: seconds in all.
-    Small,
-    /// For publication.
-    Full,
-}
-
-/// A measured figure beside what it must be.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Figure {
-    /// The method that it is of; empty where it is of none.
-    pub method: String,
-    /// What was measured, in a few words, with its setting.
-    pub what: String,
-    /// What it must be.
-    pub expected: f64,
-    /// What it is.
-    pub measured: f64,
-    /// How far it is off, in the unit of `within`: absolute, or relative to what is expected.
-    pub error: f64,
-    /// How far it may be off.
-    pub within: f64,
-}
-
-impl Figure {
-    /// Whether the figure is right. What is not a number is not.
-    pub fn holds(&self) -> bool {
-        self.measured.is_finite() && self.error <= self.within
-    }
-}

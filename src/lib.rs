@@ -69,6 +69,7 @@ pub mod bvh;
 pub mod cli;
 pub mod cluster;
 pub mod error;
+pub mod extremes;
 pub mod gpu;
 pub mod image;
 mod message;

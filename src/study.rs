@@ -4,7 +4,6 @@
 mod claims;
 pub mod csv;
 mod event;
-pub mod extremes;
 pub mod fit;
 mod found;
 pub mod markdown;

@@ -8,7 +8,7 @@ use toml::{Table, Value};
 use super::Bake;
 
 /// The rows and cases of this program.
-pub const CASES: &str = include_str!("../../../tests/extremes/cases.toml");
+pub const CASES: &str = include_str!("../../tests/extremes/cases.toml");
 
 /// Rows, the scenes that cases share, and the cases, families taken apart.
 #[derive(Debug, Clone, Default)]

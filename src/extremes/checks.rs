@@ -1,5 +1,6 @@
 //! Checks of what no picture shows: of rays, sums and clusters by themselves.
 
+mod builder;
 mod clamp;
 mod clusters;
 mod dark;
@@ -10,7 +11,6 @@ mod measure;
 pub mod random;
 pub mod rays;
 mod same;
-mod stage;
 mod sums;
 pub mod trace;
 

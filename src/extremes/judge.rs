@@ -199,8 +199,8 @@ fn mirrored(image: &Image) -> Image {
 
 #[cfg(test)]
 mod tests {
-    use super::super::cases::Radiance;
     use super::*;
+    use crate::extremes::cases::Radiance;
 
     fn image(pixels: [[f32; 3]; 4]) -> Image {
         Image { width: 2, height: 2, pixels: pixels.to_vec() }

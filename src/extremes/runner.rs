@@ -9,12 +9,13 @@ use serde::{Deserialize, Serialize};
 use super::cases::{Case, Cases, Expect, Like};
 use super::checks::CHECKS;
 use super::judge::{Seen, judge};
-use super::stage::{Front, Staging};
-use super::{Figure, Scale};
+use super::staging::Staging;
+use super::{Figure, Front, Scale};
 use crate::error::Error;
 use crate::gpu::{AdapterChoice, Gpu, GpuError};
 use crate::image::Image;
 use crate::render::{self, Prepared};
+use crate::report::warnings;
 
 /// Renders cases. Images are kept, as others may be compared with them, but for large ones; so is the
 /// last scene.
@@ -179,7 +180,7 @@ impl<'a> Runner<'a> {
         camera.size = asked.size.unwrap_or(camera.size);
         let frame = render::frame(prepared, &camera, &asked.settings, asked.seed, &|_, _| {})?;
         let scene = prepared.scene.warnings.iter().map(|warning| warning.message.clone());
-        let warnings = scene.chain((self.front.warnings)(&frame, &asked.settings)).collect();
+        let warnings = scene.chain(warnings::of_frame(&frame, &asked.settings)).collect();
         Ok(Rendered {
             image: frame.image,
             method: asked.settings.method.name(),

@@ -8,29 +8,8 @@ use toml::Table;
 use super::bake::Bake;
 use super::cases::{Case, Cases, Like, SceneText, fill, filled};
 use super::{Scale, shapes};
-use crate::error::{Error, SceneError};
-use crate::render::{Frame, Settings};
-use crate::scene::Scene;
-
-/// What options of `render` ask for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Asked {
-    /// How to render.
-    pub settings: Settings,
-    /// Of all random numbers.
-    pub seed: u32,
-    /// Width and height; the scene's if there is none.
-    pub size: Option<[u32; 2]>,
-}
-
-/// The command line, which is above this module: how it reads options, and what it warns of.
-#[derive(Debug, Clone, Copy)]
-pub struct Front {
-    /// What words ask for, or why they are refused.
-    pub options: fn(&[String]) -> Result<Asked, Error>,
-    /// What it says about a frame.
-    pub warnings: fn(&Frame, &Settings) -> Vec<String>,
-}
+use crate::error::Error;
+use crate::scene::{Scene, SceneError};
 
 /// Methods with an option that makes them another, by the name they have in cases.
 const VARIANTS: [(&str, &str); 4] = [

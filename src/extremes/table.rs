@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::cases::Cases;
 use super::runner::{Judged, Verdict};
 use crate::gpu::AdapterInfo;
+use crate::study::csv::field;
 
 /// What was run, where, and what came of it.
 #[derive(Debug, Clone)]
@@ -173,8 +174,7 @@ pub fn csv(out: &mut (impl Write + ?Sized), report: &Report<'_>) -> io::Result<(
         let texts = [&*judged.row, &*judged.case, &*figure.method, &*figure.what];
         let refusal = judged.refusal.as_deref().unwrap_or_default();
         let fields = texts.into_iter().chain(numbers.iter().map(String::as_str));
-        let fields: Vec<_> =
-            fields.chain([name(judged.verdict), refusal]).map(super::super::csv::field).collect();
+        let fields: Vec<_> = fields.chain([name(judged.verdict), refusal]).map(field).collect();
         writeln!(out, "{}", fields.join(","))?;
     }
     Ok(())
@@ -215,8 +215,8 @@ pub fn json(report: &Report<'_>) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Figure;
     use super::*;
+    use crate::extremes::Figure;
 
     #[test]
     fn numbers_of_all_sizes_are_short() {

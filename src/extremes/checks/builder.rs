@@ -7,14 +7,14 @@ use crate::scene::{Draft, DraftCamera, DraftMaterial, FovAxis, Origin, Scene};
 
 /// A scene under construction.
 #[derive(Debug)]
-pub struct Stage {
+pub struct SceneBuilder {
     /// What there is so far.
     pub draft: Draft,
     scale: f64,
     offset: DVec3,
 }
 
-impl Stage {
+impl SceneBuilder {
     /// Of this scale, about this place.
     pub fn at(scale: f64, offset: DVec3) -> Self {
         Self { draft: Draft::new("check"), scale, offset }
@@ -83,17 +83,17 @@ impl Stage {
 
 /// The closed room [-1, 1]³ with a block in it, lit by a lamp under the ceiling that the camera
 /// does not see and by a point light.
-pub fn room(scale: f64, size: [u32; 2]) -> Result<Stage, SceneError> {
-    let mut stage = Stage::at(scale, DVec3::ZERO);
-    let wall = stage.material([0.7, 0.6, 0.5], [0.0; 3])?;
-    let block = stage.material([0.2, 0.5, 0.8], [0.0; 3])?;
-    let lamp = stage.material([0.5; 3], [9.0, 8.0, 7.0])?;
-    stage.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
-    stage.cuboid(block, dvec3(-0.3, 0.1, -1.0), dvec3(0.4, 0.7, 0.2), false);
+pub fn room(scale: f64, size: [u32; 2]) -> Result<SceneBuilder, SceneError> {
+    let mut builder = SceneBuilder::at(scale, DVec3::ZERO);
+    let wall = builder.material([0.7, 0.6, 0.5], [0.0; 3])?;
+    let block = builder.material([0.2, 0.5, 0.8], [0.0; 3])?;
+    let lamp = builder.material([0.5; 3], [9.0, 8.0, 7.0])?;
+    builder.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
+    builder.cuboid(block, dvec3(-0.3, 0.1, -1.0), dvec3(0.4, 0.7, 0.2), false);
     let corner = |x, y| dvec3(x, y, 0.875);
     let quad = [corner(-0.25, -0.25), corner(-0.25, 0.25), corner(0.25, 0.25), corner(0.25, -0.25)];
-    stage.quad(lamp, quad);
-    stage.point_light(dvec3(0.7, -0.6, 0.3), [0.4, 0.5, 0.6]);
-    stage.camera(dvec3(-0.9, -0.8, 0.1), dvec3(0.7, 0.65, -0.3), 60.0, size);
-    Ok(stage)
+    builder.quad(lamp, quad);
+    builder.point_light(dvec3(0.7, -0.6, 0.3), [0.4, 0.5, 0.6]);
+    builder.camera(dvec3(-0.9, -0.8, 0.1), dvec3(0.7, 0.65, -0.3), 60.0, size);
+    Ok(builder)
 }

@@ -2,15 +2,15 @@
 
 use glam::{DVec3, Vec3, dvec3};
 
+use super::builder::{SceneBuilder, room};
 use super::measure::{
     absolute, at_most, difference, energy, frame, frame_of, frame_seeded, of, relative,
 };
-use super::stage::{Stage, room};
 use crate::error::{Error, SceneError};
+use crate::extremes::{Figure, Scale};
 use crate::gpu::Gpu;
 use crate::render::{Bounces, Clamp, Direct, Method, Prepared, Settings};
 use crate::scene::{Finish, Scene};
-use crate::study::extremes::{Figure, Scale};
 
 /// Indirect light alone, one sample a pixel, by the pixel's own visibility.
 fn indirect(method: Method, light_paths: u32) -> Settings {
@@ -126,15 +126,15 @@ pub fn fraction(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
 
 /// Grey, as the share is of the mean of the channels.
 fn grey_room(specular: f32, shininess: f32, size: [u32; 2]) -> Result<Scene, SceneError> {
-    let mut stage = Stage::at(1.0, DVec3::ZERO);
-    let wall = stage.material([0.5; 3], [0.0; 3])?;
+    let mut builder = SceneBuilder::at(1.0, DVec3::ZERO);
+    let wall = builder.material([0.5; 3], [0.0; 3])?;
     if specular > 0.0 {
         let finish = Finish::Phong { specular: Vec3::splat(specular), shininess };
-        stage.draft.materials[wall as usize].finish = finish;
+        builder.draft.materials[wall as usize].finish = finish;
     }
-    stage.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
-    stage.cuboid(wall, dvec3(-0.3, 0.1, -1.0), dvec3(0.4, 0.7, 0.2), false);
-    stage.point_light(dvec3(0.7, -0.6, 0.3), [0.5; 3]);
-    stage.camera(dvec3(-0.9, -0.8, 0.1), dvec3(0.7, 0.65, -0.3), 60.0, size);
-    stage.scene()
+    builder.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
+    builder.cuboid(wall, dvec3(-0.3, 0.1, -1.0), dvec3(0.4, 0.7, 0.2), false);
+    builder.point_light(dvec3(0.7, -0.6, 0.3), [0.5; 3]);
+    builder.camera(dvec3(-0.9, -0.8, 0.1), dvec3(0.7, 0.65, -0.3), 60.0, size);
+    builder.scene()
 }

@@ -1,19 +1,16 @@
 //! K-means at its corners, fuzzy weights, and clusters of one.
 
-use std::ffi::OsString;
-
 use glam::Vec3;
 
+use super::builder::room;
 use super::measure::{GATHERING, absolute, at_most, devices, difference, frame_of, none, of};
 use super::random::Rng;
-use super::stage::room;
-use crate::cli;
 use crate::cluster::{Clustering as Clusters, Options, Points, fuzzy, kmeans};
 use crate::error::Error;
+use crate::extremes::{Figure, Scale};
 use crate::gpu::Gpu;
 use crate::metrics::largest;
 use crate::render::{Clustering, Merge, Method, Prepared, Settings};
-use crate::study::extremes::{Figure, Scale};
 
 /// Points with normals.
 type Set = (Vec<Vec3>, Vec<Vec3>);
@@ -43,7 +40,7 @@ fn options(clusters: u32) -> Options {
 }
 
 /// Every point is in a cluster that accepts it, no cluster is empty or no number, whatever the
-/// points and however many clusters; 0 are refused at the command line.
+/// points and however many clusters; 0 are refused.
 pub fn corners(_: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
     let count = if scale == Scale::Full { 100_000 } else { 2000 };
     let mut figures = Vec::new();
@@ -65,9 +62,13 @@ pub fn corners(_: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
             }
         }
     }
-    for option in ["--point-clusters", "--vpl-clusters"] {
-        let arguments = ["gpu-vpl", "render", "-o", "a.png", option, "0"].map(OsString::from);
-        let refused = cli::refusal(arguments).is_some_and(|why| !why.contains('\n'));
+    let plain = Clustering::default();
+    for (option, clustering) in [
+        ("--point-clusters", Clustering { points: 0, ..plain }),
+        ("--vpl-clusters", Clustering { vpls: 0, ..plain }),
+    ] {
+        let told = Settings { clustering, ..Settings::default() }.check();
+        let refused = told.is_err_and(|why| why.to_string().starts_with(option));
         figures.push(absolute(format!("{option} 0 is refused"), 1.0, f64::from(refused), 0.0));
     }
     Ok(figures)

@@ -2,14 +2,14 @@
 
 use glam::{DVec3, dvec3};
 
+use super::builder::SceneBuilder;
 use super::measure::{at_most, frame_of, of};
-use super::stage::Stage;
 use crate::error::{Error, SceneError};
+use crate::extremes::{Figure, Scale};
 use crate::gpu::Gpu;
 use crate::metrics::largest;
 use crate::render::{Bounces, Method, Prepared, Settings};
 use crate::scene::Scene;
-use crate::study::extremes::{Figure, Scale};
 
 /// What parts the rooms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,19 +29,19 @@ impl Part {
         (Self::Gap, "boxes 1e-4 apart"),
     ];
 
-    fn build(self, stage: &mut Stage, wall: u32) {
+    fn build(self, builder: &mut SceneBuilder, wall: u32) {
         let low = dvec3(-1.0, -0.5, -0.5);
         let apart = if self == Self::Gap { 2e-4 } else { 0.0 };
         if self == Self::Wall {
-            stage.cuboid(wall, low, dvec3(1.0, 0.5, 0.5), true);
+            builder.cuboid(wall, low, dvec3(1.0, 0.5, 0.5), true);
             let corner = |y, z| dvec3(0.0, y, z);
-            stage.quad(
+            builder.quad(
                 wall,
                 [corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)],
             );
         } else {
-            stage.cuboid(wall, low, dvec3(0.0, 0.5, 0.5), true);
-            stage.cuboid(wall, dvec3(apart, -0.5, -0.5), dvec3(1.0 + apart, 0.5, 0.5), true);
+            builder.cuboid(wall, low, dvec3(0.0, 0.5, 0.5), true);
+            builder.cuboid(wall, dvec3(apart, -0.5, -0.5), dvec3(1.0 + apart, 0.5, 0.5), true);
         }
     }
 }
@@ -79,17 +79,17 @@ pub fn rooms(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
 }
 
 fn dark_room(part: Part, scale: f64, offset: DVec3, size: [u32; 2]) -> Result<Scene, SceneError> {
-    let mut stage = Stage::at(scale, offset);
-    let wall = stage.material([0.8; 3], [0.0; 3])?;
-    let lamp = stage.material([0.5; 3], [100.0; 3])?;
-    part.build(&mut stage, wall);
+    let mut builder = SceneBuilder::at(scale, offset);
+    let wall = builder.material([0.8; 3], [0.0; 3])?;
+    let lamp = builder.material([0.5; 3], [100.0; 3])?;
+    part.build(&mut builder, wall);
     let corner = |y, z| dvec3(-1e-4, y, z);
-    stage
+    builder
         .quad(lamp, [corner(-0.5, -0.5), corner(-0.5, -0.4), corner(0.5, -0.4), corner(0.5, -0.5)]);
-    stage.point_light(dvec3(-0.9, 0.1, -0.5 + 1e-3), [1.0; 3]);
-    stage.point_light(dvec3(-1e-3, 0.2, -0.5 + 1e-3), [1.0; 3]);
-    stage.point_light(dvec3(-1e-5, -0.2, 0.0), [1.0; 3]);
+    builder.point_light(dvec3(-0.9, 0.1, -0.5 + 1e-3), [1.0; 3]);
+    builder.point_light(dvec3(-1e-3, 0.2, -0.5 + 1e-3), [1.0; 3]);
+    builder.point_light(dvec3(-1e-5, -0.2, 0.0), [1.0; 3]);
     // Towards the foot of the wall.
-    stage.camera(dvec3(0.6, 0.0, -0.2), dvec3(-0.6, 0.05, -0.28), 80.0, size);
-    stage.scene()
+    builder.camera(dvec3(0.6, 0.0, -0.2), dvec3(-0.6, 0.05, -0.28), 80.0, size);
+    builder.scene()
 }

@@ -4,17 +4,17 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, dvec3};
 
+use super::builder::SceneBuilder;
 use super::measure::{at_most, none, relative};
-use super::stage::Stage;
 use crate::bvh::Bvh;
 use crate::error::{Error, SceneError};
+use crate::extremes::{Figure, Scale};
 use crate::gpu::Gpu;
 use crate::metrics::largest;
 use crate::render::{
     Bounces, Clustering, LightPaths, Lights, Merge, Representative, VirtualLight, Vpl, VplClusters,
 };
 use crate::scene::Scene;
-use crate::study::extremes::{Figure, Scale};
 
 fn trace(scene: &Scene, count: u32, bounces: u32) -> Vec<Vpl> {
     let (bvh, lights) = (Bvh::of(scene), Lights::of(scene));
@@ -28,15 +28,15 @@ pub fn form_factors(_: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
     /// Closed form: Howell's catalogue, C-11, for a cube.
     const OPPOSITE: f64 = 0.199_825;
     let paths = if scale == Scale::Full { 1 << 20 } else { 1 << 16 };
-    let mut stage = Stage::at(1.0, DVec3::ZERO);
-    let wall = stage.material([1.0; 3], [0.0; 3])?;
-    let lamp = stage.material([1.0; 3], [1.0; 3])?;
-    stage.cuboid(wall, DVec3::ZERO, DVec3::ONE, true);
-    for triangle in &mut stage.draft.triangles[10..12] {
+    let mut builder = SceneBuilder::at(1.0, DVec3::ZERO);
+    let wall = builder.material([1.0; 3], [0.0; 3])?;
+    let lamp = builder.material([1.0; 3], [1.0; 3])?;
+    builder.cuboid(wall, DVec3::ZERO, DVec3::ONE, true);
+    for triangle in &mut builder.draft.triangles[10..12] {
         triangle.1 = lamp;
     }
-    stage.camera(DVec3::splat(0.5), DVec3::Y, 60.0, [8, 8]);
-    let vpls = trace(&stage.scene()?, paths, 2);
+    builder.camera(DVec3::splat(0.5), DVec3::Y, 60.0, [8, 8]);
+    let vpls = trace(&builder.scene()?, paths, 2);
     let side = |vpl: &Vpl| vpl.normal.as_dvec3();
     // Evenly spread starts are far better than random ones, whose deviation is √(p (1 − p) / n).
     let within = (0.16 / f64::from(paths)).sqrt();
@@ -117,14 +117,14 @@ pub fn kept(_: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
 
 /// With a point light in the middle; the floor has an albedo of its own.
 fn closed_box(albedo: [f64; 3], floor: [f64; 3]) -> Result<Scene, SceneError> {
-    let mut stage = Stage::at(1.0, DVec3::ZERO);
-    let wall = stage.material(albedo, [0.0; 3])?;
-    let floor = stage.material(floor, [0.0; 3])?;
-    stage.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
-    for triangle in &mut stage.draft.triangles[8..10] {
+    let mut builder = SceneBuilder::at(1.0, DVec3::ZERO);
+    let wall = builder.material(albedo, [0.0; 3])?;
+    let floor = builder.material(floor, [0.0; 3])?;
+    builder.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
+    for triangle in &mut builder.draft.triangles[8..10] {
         triangle.1 = floor;
     }
-    stage.point_light(DVec3::ZERO, [0.7; 3]);
-    stage.camera(dvec3(0.0, -0.5, 0.0), DVec3::Y, 60.0, [8, 8]);
-    stage.scene()
+    builder.point_light(DVec3::ZERO, [0.7; 3]);
+    builder.camera(dvec3(0.0, -0.5, 0.0), DVec3::Y, 60.0, [8, 8]);
+    builder.scene()
 }

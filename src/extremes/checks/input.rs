@@ -4,14 +4,14 @@ use std::path::Path;
 
 use glam::{DVec3, dvec3};
 
+use super::builder::SceneBuilder;
 use super::measure::{absolute, frame, of};
-use super::stage::Stage;
-use crate::cli;
 use crate::error::{Error, OutputError};
+use crate::extremes::{Figure, Scale};
 use crate::gpu::Gpu;
 use crate::render::{Bounces, Method, Settings};
+use crate::report::warnings::strictly;
 use crate::scene::Scene;
-use crate::study::extremes::{Figure, Scale};
 
 fn is(what: impl Into<String>, so: bool) -> Figure {
     absolute(what, 1.0, f64::from(so), 0.0)
@@ -34,7 +34,7 @@ pub fn counted(gpu: &Gpu, _: Scale) -> Result<Vec<Figure>, Error> {
         figures.push(of(method, absolute("pixels that are not finite", 32.0, counted, 0.0)));
         let first = over.image.first_nonfinite() == Some([0, 0]);
         figures.push(of(method, is("the first of them is found", first)));
-        let strict = cli::strictly(&over, &settings(2));
+        let strict = strictly(&over, &settings(2));
         let told = matches!(&strict, Err(Error::Strict(why)) if why.contains("column 0, row 0"));
         figures.push(of(method, is("--strict makes an error that says where", told)));
         let within = frame(gpu, screen(1e38)?, &settings(2))?;
@@ -42,7 +42,7 @@ pub fn counted(gpu: &Gpu, _: Scale) -> Result<Vec<Figure>, Error> {
         figures.push(of(method, absolute("of a radiance that f32 holds", 0.0, counted, 0.0)));
         figures.push(of(
             method,
-            is("--strict lets it through", cli::strictly(&within, &settings(2)).is_ok()),
+            is("--strict lets it through", strictly(&within, &settings(2)).is_ok()),
         ));
     }
     Ok(figures)
@@ -50,17 +50,17 @@ pub fn counted(gpu: &Gpu, _: Scale) -> Result<Vec<Figure>, Error> {
 
 /// A lamp of this radiance to the left of a dark wall, both far away, in 8 × 8 pixels.
 fn screen(radiance: f64) -> Result<Scene, Error> {
-    let mut stage = Stage::at(1.0, DVec3::ZERO);
-    let wall = stage.material([0.5; 3], [0.0; 3])?;
-    let lamp = stage.material([0.0; 3], [radiance; 3])?;
+    let mut builder = SceneBuilder::at(1.0, DVec3::ZERO);
+    let wall = builder.material([0.5; 3], [0.0; 3])?;
+    let lamp = builder.material([0.0; 3], [radiance; 3])?;
     let corner = |x, z| dvec3(x, 1.0, z);
     let half = |from: f64, to: f64| {
         [corner(from, -2.0), corner(to, -2.0), corner(to, 2.0), corner(from, 2.0)]
     };
-    stage.quad(lamp, half(-2.0, 0.0));
-    stage.quad(wall, half(0.0, 2.0));
-    stage.camera(DVec3::ZERO, DVec3::Y, 60.0, [8, 8]);
-    Ok(stage.scene()?)
+    builder.quad(lamp, half(-2.0, 0.0));
+    builder.quad(wall, half(0.0, 2.0));
+    builder.camera(DVec3::ZERO, DVec3::Y, 60.0, [8, 8]);
+    Ok(builder.scene()?)
 }
 
 const CAMERA: &str = "[camera]\nposition = [0, 0, 5]\ntarget = [0, 0, 0]\nfov = 45\n";

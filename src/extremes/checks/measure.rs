@@ -1,7 +1,7 @@
 //! Figures as checks make them, frames as they render them.
 
-use super::super::Figure;
 use crate::error::Error;
+use crate::extremes::Figure;
 use crate::gpu::Gpu;
 use crate::metrics::largest;
 use crate::render::{self, Frame, Method, Prepared, Settings};

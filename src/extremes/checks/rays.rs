@@ -9,9 +9,9 @@ use super::random::Rng;
 use super::trace::{World, on_all};
 use crate::bvh::{Bvh, Ray};
 use crate::error::Error;
+use crate::extremes::{Figure, Scale};
 use crate::gpu::Gpu;
 use crate::scene::Triangle;
-use crate::study::extremes::{Figure, Scale};
 
 /// A closed surface that is star-shaped about the origin, with its name.
 type Closed = (&'static str, Vec<Triangle>);

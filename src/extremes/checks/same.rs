@@ -1,11 +1,11 @@
 //! The same run gives the same bytes, twice and with any number of threads.
 
+use super::builder::room;
 use super::measure::{frame_of, none, of};
-use super::stage::room;
 use crate::error::Error;
+use crate::extremes::{Figure, Scale};
 use crate::gpu::Gpu;
 use crate::render::{Bounces, Direct, Frame, Method, Prepared, Settings};
-use crate::study::extremes::{Figure, Scale};
 
 /// Pixels with other bits.
 fn unlike(one: &Frame, two: &Frame) -> usize {

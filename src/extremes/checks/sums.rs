@@ -4,17 +4,17 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3, dvec3};
 
+use super::builder::SceneBuilder;
 use super::gather::{Matrix, irradiance, point, repeated, vpl};
 use super::measure::{at_most, devices, frame_of, none, of, relative};
 use super::random::Rng;
-use super::stage::Stage;
 use crate::error::Error;
+use crate::extremes::{Figure, Scale};
 use crate::gpu::{Gpu, PointRecord, VplRecord};
 use crate::metrics::largest;
 use crate::render::{
     Bounces, Clamp, Clustering, Direct, Method, Prepared, Settings, Vpl, chunk_words, light_paths,
 };
-use crate::study::extremes::{Figure, Scale};
 
 /// G of two records, in f64.
 fn geometry(x: &PointRecord, s: &VplRecord) -> f64 {
@@ -127,12 +127,12 @@ pub fn many_terms(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
     let mut figures = Vec::new();
     let everyone = Clustering { points: u32::MAX, vpls: u32::MAX, ..Clustering::default() };
     for (kernel, gpu) in devices(gpu) {
-        let mut stage = Stage::at(1.0, DVec3::ZERO);
-        let wall = stage.material(ALBEDO, [0.0; 3])?;
-        stage.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
-        stage.point_light(dvec3(0.3, 0.2, 0.4), [1.0, 2.0, 3.0]);
+        let mut builder = SceneBuilder::at(1.0, DVec3::ZERO);
+        let wall = builder.material(ALBEDO, [0.0; 3])?;
+        builder.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
+        builder.point_light(dvec3(0.3, 0.2, 0.4), [1.0, 2.0, 3.0]);
         // All of the pixel is within 1e-6 of the middle of the floor.
-        stage.camera(DVec3::ZERO, DVec3::NEG_Z, 1e-4, [1, 1]);
+        builder.camera(DVec3::ZERO, DVec3::NEG_Z, 1e-4, [1, 1]);
         let settings = |method: Method, fuzzy: u32, clamp: Clamp| Settings {
             light_paths: paths,
             bounces: Bounces::Finite(BOUNCES),
@@ -143,7 +143,7 @@ pub fn many_terms(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
             clamp,
             ..Settings::of(method)
         };
-        let prepared = Prepared::new(gpu, stage.scene()?, &settings(Method::Vpl, 1, Clamp::Off))?;
+        let prepared = Prepared::new(gpu, builder.scene()?, &settings(Method::Vpl, 1, Clamp::Off))?;
         let vpls = light_paths(&prepared, &settings(Method::Vpl, 1, Clamp::Off), 1);
         let some = |method: Method, fuzzy: u32| {
             let clamps = [Clamp::Off, Clamp::At(0.2)];
