@@ -2,7 +2,9 @@
 //!
 //! Rows (what goes wrong, and what is done about it) and cases (a scene, settings, and what the
 //! image must be) are data: `tests/extremes/cases.toml`, read by [`Cases`]. A [`Runner`] renders
-//! them, [`Judged`] is what came of a case, and [`table`] writes it down.
+//! them, [`Judged`] is what came of a case, and [`table`] writes it down. [`checks`] look at what no
+//! picture shows. All of it is part of the library, not of its tests, as users run it too: `gpu-vpl
+//! study --preset extremes`.
 
 mod bake;
 mod cases;

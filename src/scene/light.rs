@@ -7,8 +7,8 @@ use glam::Vec3;
 pub struct PointLight {
     /// Where it is.
     pub position: Vec3,
-    /// Radiant intensity, in W sr⁻¹ over [`Units::scale`] squared, so that intensity over
-    /// normalised distance squared is irradiance.
+    /// Radiant intensity, in W sr⁻¹ over [`Units::scale`](super::Units::scale) squared, so that
+    /// intensity over normalised distance squared is irradiance.
     pub intensity: Vec3,
     /// Of a spot light, where it shines.
     pub cone: Option<Cone>,

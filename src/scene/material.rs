@@ -45,16 +45,16 @@ pub struct Material {
     pub name: String,
     /// Diffuse reflectance ρ per channel, in [0, 1]; the BRDF is ρ / π, and what its finish adds.
     pub albedo: Vec3,
-    /// Index into [`Scene::textures`] of what the albedo is multiplied by.
+    /// Index into [`Scene::textures`](super::Scene::textures) of what the albedo is multiplied by.
     pub texture: Option<u32>,
-    /// Index into [`Scene::textures`] of the texture where whose alpha is below one half there is
-    /// no surface.
+    /// Index into [`Scene::textures`](super::Scene::textures) of the texture where whose alpha is
+    /// below one half there is no surface.
     pub cutout: Option<u32>,
     /// How it reflects beside its diffuse part.
     pub finish: Finish,
     /// Emitted radiance [W sr⁻¹ m⁻²].
     pub emission: Vec3,
-    /// Index into [`Scene::textures`] of what the emission is multiplied by.
+    /// Index into [`Scene::textures`](super::Scene::textures) of what the emission is multiplied by.
     pub emission_texture: Option<u32>,
     /// Whether both sides emit, or only that of the geometric normal.
     pub two_sided: bool,

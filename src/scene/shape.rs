@@ -7,7 +7,7 @@ use glam::Vec3;
 pub struct Triangle {
     /// The corners.
     pub vertices: [Vec3; 3],
-    /// Index into [`Scene::materials`].
+    /// Index into [`Scene::materials`](super::Scene::materials).
     pub material: u32,
 }
 
@@ -31,6 +31,6 @@ pub struct Sphere {
     pub center: Vec3,
     /// The radius.
     pub radius: f32,
-    /// Index into [`Scene::materials`].
+    /// Index into [`Scene::materials`](super::Scene::materials).
     pub material: u32,
 }

@@ -1,6 +1,6 @@
 //! Names of the experiments, as rows and claims refer to them.
 
-/// Published seconds: no clusters.
+/// Every VPL by itself.
 pub const TABLE_VPL: &str = "table 5.2";
 /// VPL clusters.
 pub const TABLE_VPLC: &str = "table 5.3";
