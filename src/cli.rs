@@ -1,5 +1,6 @@
 //! Arguments and their conversion to jobs.
 
+mod adapter;
 mod compare;
 mod console;
 mod info;
@@ -14,9 +15,6 @@ use std::time::Instant;
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
-use crate::error::Error;
-use crate::gpu::AdapterChoice;
-use crate::render::{Frame, Settings};
 pub use study::front;
 
 /// Headless global illumination with virtual point lights.
@@ -47,20 +45,6 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>, started: Instant) -> 
     }));
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     panic::catch_unwind(|| run(arguments, started)).unwrap_or(1)
-}
-
-/// Why the program would refuse these arguments, if it would.
-pub fn refusal(arguments: impl IntoIterator<Item = OsString>) -> Option<String> {
-    let refused = Cli::try_parse_from(arguments).err()?;
-    Some(parse::one_clause(&refused.to_string()))
-}
-
-/// What `--strict` makes of a frame.
-///
-/// # Errors
-/// It lacks something that the settings ask for, or has pixels that are not finite.
-pub fn strictly(frame: &Frame, settings: &Settings) -> Result<(), Error> {
-    render::strictly(frame, settings)
 }
 
 fn run(arguments: Vec<OsString>, started: Instant) -> u8 {
@@ -115,13 +99,6 @@ fn refuse(refusal: &clap::Error, command: Option<&OsStr>) -> u8 {
     }
 }
 
-/// The adapter asked for: by option, else by the environment.
-fn adapter_choice(option: Option<&str>) -> AdapterChoice {
-    let variable = || std::env::var("WGPU_ADAPTER_NAME").ok();
-    let named = option.map(str::to_owned).or_else(variable).filter(|name| !name.is_empty());
-    named.map_or(AdapterChoice::Auto, AdapterChoice::Named)
-}
-
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
@@ -131,11 +108,5 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent() {
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn an_option_chooses_the_adapter() {
-        assert_eq!(adapter_choice(Some("x")), AdapterChoice::Named("x".into()));
-        assert_eq!(adapter_choice(Some("")), AdapterChoice::Auto);
     }
 }

@@ -35,7 +35,7 @@
 //!     the visible points around.
 //! 11. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
 //!     and how long it took; [`metrics`] says how far it is from a reference; [`study`] renders
-//!     in many settings and compares.
+//!     in many settings and compares; [`extremes`] holds the renderer against what must come out.
 //!
 //! [`render::Method::Path`] goes another way, as a reference for this one: paths from the camera,
 //! in `src/render/path.rs`, share scene, hierarchy and random numbers with it, but no light
@@ -43,6 +43,28 @@
 //!
 //! A kernel is an ordered list of the files in `shaders/`, chosen by what the scene and the
 //! settings need; the list is in one place, `src/render/kernels.rs`.
+//!
+//! # The order of modules
+//!
+//! A file imports from its own module and from those before it, never in a circle; what it imports
+//! by way of a re-export counts as from the file that defines it. `tests/modules` reads this list.
+//!
+//! ```text
+//! message     one line of text, whatever a file is called
+//! sampling    random numbers
+//! gpu         the device: buffers, records, kernels, dispatches
+//! image       images, their files, tone and false colours
+//! metrics     how far an image is from another
+//! scene       scenes, the formats that they are read from
+//! bvh         the hierarchy that rays traverse
+//! cluster     K-means
+//! render      the pipeline
+//! error       the union of all errors, and exit codes
+//! report      what was done, and what the user should know of it
+//! study       error over run time: plans, measurements, tables, plots, the page
+//! extremes    cases at which renderers fail first, and checks of parts
+//! cli         the command line
+//! ```
 //!
 //! # Example
 //!
@@ -69,8 +91,10 @@ pub mod bvh;
 pub mod cli;
 pub mod cluster;
 pub mod error;
+pub mod extremes;
 pub mod gpu;
 pub mod image;
+mod message;
 pub mod metrics;
 pub mod render;
 pub mod report;

@@ -34,7 +34,8 @@ pub use plan::Plan;
 pub use prepared::Prepared;
 pub use result::{Counts, Frame, Phases, Progress};
 pub use settings::{
-    Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings, Sharing,
+    Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings, SettingsError,
+    Sharing,
 };
 pub use virtual_light::{GlossyLobe, VirtualLight};
 pub use vpls::{LightPaths, Vpl, light_paths};

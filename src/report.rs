@@ -1,5 +1,7 @@
 //! The JSON report of a render: what was done, and how long each phase took.
 
+pub mod warnings;
+
 use std::time::Duration;
 
 use serde::{Deserialize, Serialize};

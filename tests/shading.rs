@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 use common::Rng;
 use common::gather::irradiance;
 use glam::Vec3;
+use gpu_vpl::extremes::checks::gather::{point, vpl};
 use gpu_vpl::gpu::{PointRecord, VplRecord};
-use gpu_vpl::study::extremes::checks::gather::{point, vpl};
 
 /// The kernels with and without subgroups, the former where the device has them.
 fn kernels() -> Vec<bool> {

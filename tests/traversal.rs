@@ -12,10 +12,10 @@ use common::Rng;
 use common::tracing::{on_all, random_rays, soup, triangle};
 use glam::{DVec3, Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
+use gpu_vpl::extremes::checks::rays::cube;
+use gpu_vpl::extremes::checks::trace::{Answer, on_host};
 use gpu_vpl::gpu::PointRecord;
 use gpu_vpl::scene::Triangle;
-use gpu_vpl::study::extremes::checks::rays::cube;
-use gpu_vpl::study::extremes::checks::trace::{Answer, on_host};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Sure {

@@ -7,14 +7,14 @@ use common::gather::{visible, visible_in};
 use common::tracing::{soup, world_of_triangles};
 use glam::{Mat3, Vec3};
 use gpu_vpl::bvh::{Bvh, Ray};
+use gpu_vpl::extremes::checks::gather::{point, vpl};
+use gpu_vpl::extremes::checks::rays::cube;
+use gpu_vpl::extremes::checks::trace::World;
 use gpu_vpl::gpu::{PointRecord, VplRecord};
 use gpu_vpl::render::kernels::Tracing;
 use gpu_vpl::render::kernels::literals::Literals;
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::Triangle;
-use gpu_vpl::study::extremes::checks::gather::{point, vpl};
-use gpu_vpl::study::extremes::checks::rays::cube;
-use gpu_vpl::study::extremes::checks::trace::World;
 
 /// With literals for small scenes.
 fn kernels(bvh: &Bvh) -> Vec<Tracing> {

@@ -1,5 +1,5 @@
 // Radiance by an equirectangular image, whose colours are 9 bits a channel under an exponent of 5.
-// The twin of src/scene/environment.rs.
+// The twin of src/scene/environment/radiance.rs.
 
 // Radiance, width and height of the image, columns and rows of cells, a word unused; then for
 // each row the probability of all rows before it, and 1; then for each row the same of its cells.

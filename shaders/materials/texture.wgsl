@@ -1,4 +1,4 @@
-// Textures: the twin of `Texture::sample` of src/scene/texture.rs.
+// Textures: the twin of `Texture::sample` of src/scene/texture/mapping.rs.
 
 struct Texture {
     // Its first texel.

@@ -1,5 +1,5 @@
 // Texture coordinates of a place on a triangle or a sphere: see `on_sphere` of
-// src/scene/texture.rs.
+// src/scene/texture/mapping.rs.
 
 // Of the corners of all triangles.
 @group(0) @binding(42) var<storage, read> uvs: array<vec2f>;

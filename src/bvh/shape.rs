@@ -3,7 +3,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::traverse::Ray;
+use super::Ray;
 use crate::gpu::TriangleRecord;
 use crate::scene::{Scene, Sphere, Texels, Texture, Triangle, texture};
 

@@ -15,8 +15,7 @@ use crate::image::output::commit;
 use crate::image::{Destination, Format, Image, read};
 use crate::metrics::{Comparison, away_from_bright};
 use limits::Limits;
-use map::ErrorMap;
-pub use map::MapKind;
+use map::{ErrorMap, MapKind};
 
 /// The options of `compare`.
 #[derive(Debug, Args)]
@@ -53,7 +52,7 @@ pub struct CompareArgs {
     outputs: Vec<PathBuf>,
 
     /// What the map shows: magnitude, signed (blue where too dark, red where too bright), flip
-    #[arg(long, default_value = "magnitude", value_parser = parse::map, requires = "outputs")]
+    #[arg(long, default_value = "magnitude", value_parser = MapKind::parse, requires = "outputs")]
     map: MapKind,
 
     /// The error at the end of the map's colours [default: what 99 % of pixels are within; 1

@@ -2,6 +2,7 @@
 
 mod adapters;
 mod lights;
+mod listing;
 mod materials;
 mod memory;
 mod scene;
@@ -10,13 +11,13 @@ mod table;
 use std::fmt::Write;
 
 use clap::Args;
-use serde::Serialize;
 
+use super::adapter::adapter_choice;
 use super::console;
 use crate::error::{Error, OutputError};
-use crate::gpu::{self, AdapterDescription, Gpu};
+use crate::gpu::{self, Gpu};
 use crate::scene::{BUILTIN_SCENES, Scene};
-use scene::SceneInfo;
+use listing::{Builtin, Info};
 
 /// The options of `info`.
 #[derive(Debug, Args)]
@@ -33,23 +34,6 @@ pub struct InfoArgs {
     adapter: Option<String>,
 }
 
-#[derive(Debug, Serialize)]
-struct Info {
-    version: &'static str,
-    adapters: Vec<AdapterDescription>,
-    /// The adapter that `render` would take, or why it would fail.
-    chosen: Option<gpu::AdapterInfo>,
-    chosen_error: Option<String>,
-    builtin_scenes: Vec<Builtin>,
-    scene: Option<SceneInfo>,
-}
-
-#[derive(Debug, Serialize)]
-struct Builtin {
-    name: String,
-    what: &'static str,
-}
-
 /// Prints what there is. That there is no adapter is part of the answer and no error, unless
 /// one was asked for by name.
 ///
@@ -57,7 +41,7 @@ struct Builtin {
 /// The scene cannot be read, or the adapter asked for is not there.
 pub fn run(args: &InfoArgs) -> Result<(), Error> {
     let scene = args.scene.as_deref().map(Scene::load).transpose()?;
-    let choice = super::adapter_choice(args.adapter.as_deref());
+    let choice = adapter_choice(args.adapter.as_deref());
     let opened = Gpu::open(&choice);
     let (gpu, error) = match opened {
         Ok(gpu) => (Some(gpu), None),

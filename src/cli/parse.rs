@@ -1,10 +1,6 @@
 //! The values of options, and how a wrong one is told.
 
-use super::compare::MapKind;
-use super::render::Aov;
-use crate::image::Tone;
 use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
-use crate::study::{extremes, presets, thesis};
 
 pub fn method(text: &str) -> Result<Method, String> {
     if let Some(method) = Method::ALL.into_iter().find(|method| method.name() == text) {
@@ -12,13 +8,6 @@ pub fn method(text: &str) -> Result<Method, String> {
     }
     let known = Method::ALL.map(Method::name).join(", ");
     Err(format!("give one of {known}"))
-}
-
-/// One of the auxiliary images.
-pub fn aov(text: &str) -> Result<Aov, String> {
-    let data = [Method::Normal, Method::Albedo, Method::Depth].map(Aov::Of);
-    let found = data.into_iter().chain([Aov::StandardError]).find(|aov| aov.name() == text);
-    found.ok_or_else(|| "give some of normal,albedo,depth,standard-error".to_owned())
 }
 
 pub fn bounces(text: &str) -> Result<Bounces, String> {
@@ -54,16 +43,6 @@ pub fn merge(text: &str) -> Result<Merge, String> {
     }
 }
 
-/// The experiments of `study`.
-pub fn preset(text: &str) -> Result<&'static str, String> {
-    match text {
-        thesis::NAME => Ok(thesis::NAME),
-        presets::QUICK => Ok(presets::QUICK),
-        extremes::NAME => Ok(extremes::NAME),
-        _ => Err("give thesis, quick or extremes".to_owned()),
-    }
-}
-
 /// The cosine of the normal gate.
 pub fn normal_threshold(text: &str) -> Result<f32, String> {
     let value = text.parse::<f32>().ok().filter(|value| (-1.0..1.0).contains(value));
@@ -94,16 +73,6 @@ pub fn exposure(text: &str) -> Result<f32, String> {
     value.ok_or_else(|| "give a number of stops".to_owned())
 }
 
-/// How a method's data is shown in 8 bits. The exposure is for light alone.
-pub fn tone(method: Method, exposure: f32) -> Tone {
-    match method {
-        Method::Albedo => Tone::Radiance { exposure: 0.0 },
-        Method::Normal => Tone::Normal,
-        Method::Depth => Tone::Depth,
-        _ => Tone::Radiance { exposure },
-    }
-}
-
 /// A finite number, as a level of radiance is.
 pub fn number(text: &str) -> Result<f64, String> {
     let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
@@ -118,16 +87,6 @@ pub fn limit(text: &str) -> Result<f64, String> {
 /// The error at the end of a colour scale.
 pub fn scale(text: &str) -> Result<f64, String> {
     number(text).ok().filter(|value| *value > 0.0).ok_or_else(|| "give a number above 0".to_owned())
-}
-
-/// What an error map shows.
-pub fn map(text: &str) -> Result<MapKind, String> {
-    match text {
-        "magnitude" => Ok(MapKind::Magnitude),
-        "signed" => Ok(MapKind::Signed),
-        "flip" => Ok(MapKind::Flip),
-        _ => Err("give magnitude, signed or flip".to_owned()),
-    }
 }
 
 /// Makes one line of clap's many: what is wrong, and its tips, without its usage.

@@ -13,14 +13,15 @@ pub use args::RenderArgs;
 use job::Job;
 use outputs::{Outputs, Shown};
 use warnings::Warnings;
-pub use warnings::of_frame as warnings_of_frame;
 
+use super::adapter::adapter_choice;
 use super::console;
 use crate::error::{Error, OutputError};
 use crate::gpu::{Gpu, GpuError};
 use crate::image::Image;
 use crate::image::output::{Staged, commit};
-use crate::render::{Frame, Prepared, Settings};
+use crate::render::{Frame, Prepared};
+use crate::report::warnings::caustics;
 use crate::report::{Report, RunPhases, Seconds};
 use crate::scene::Scene;
 
@@ -38,8 +39,8 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     let mut phases = RunPhases::default();
     let mut warnings = Warnings::new(args.quiet, args.strict);
     let mut scene = timed(&mut phases.load, || Scene::load(&args.scene))?;
-    let caustics = warnings::caustics(&scene, &args.settings());
-    for warning in std::mem::take(&mut scene.warnings).into_iter().chain(caustics) {
+    let caustic = caustics(&scene, &args.settings());
+    for warning in std::mem::take(&mut scene.warnings).into_iter().chain(caustic) {
         warnings.add(warning)?;
     }
     let exposure = args.exposure.unwrap_or(scene.exposure);
@@ -71,14 +72,6 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     Ok(())
 }
 
-/// What `--strict` makes of a frame.
-///
-/// # Errors
-/// It lacks something that the settings ask for, or has pixels that are not finite.
-pub fn strictly(frame: &Frame, settings: &Settings) -> Result<(), Error> {
-    Warnings::new(true, true).check(frame, settings)
-}
-
 /// Sets the number of host threads, once in a process.
 ///
 /// # Errors
@@ -95,7 +88,7 @@ pub fn start_threads(threads: Option<u16>) -> Result<(), Error> {
 /// shaders' is the device's.
 fn prepare(args: &RenderArgs, scene: Scene, phases: &mut RunPhases) -> Result<Job, GpuError> {
     let start = Instant::now();
-    let gpu = Gpu::open(&super::adapter_choice(args.adapter.as_deref()))?;
+    let gpu = Gpu::open(&adapter_choice(args.adapter.as_deref()))?;
     if !args.quiet {
         let info = &gpu.info;
         let line = format!("adapter: {} ({}, {})", info.name, info.backend, info.driver);

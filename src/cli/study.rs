@@ -1,165 +1,25 @@
 //! `study`: a plan from the command line, measured, and what was found written as tables, plots
 //! and a page.
 
+mod args;
 mod axes;
 mod extremes;
 mod outputs;
+mod process;
 mod progress;
 mod sweep;
 
-use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-
-use clap::Args;
-use signal_hook::{consts::SIGINT, flag};
-
-use super::{console, parse, render};
+use super::adapter::adapter_choice;
+use super::render;
 use crate::error::Error;
 use crate::gpu::GpuError;
-use crate::study::{Plan, ReferencePlan, Store, Study, options, presets, thesis};
-use axes::Axes;
-pub use extremes::front;
+use crate::study::{Store, Study};
 use outputs::Outputs;
+use process::{command, interrupt};
 use progress::Progress;
 
-const OPTIONS_OF_RENDER: &str = "options of render go neither with --preset nor with --sweep";
-
-/// The options of `study`.
-#[derive(Debug, Args)]
-pub struct StudyArgs {
-    /// Scenes, as for render
-    scenes: Vec<String>,
-
-    /// A study with a name: thesis (its experiments), quick (every method, 256x256, 3 seeds),
-    /// extremes (what renderers fail at first, against what it must be: extremes.md, .csv, .json)
-    #[arg(long, value_name = "PRESET", value_parser = parse::preset, conflicts_with = "sweep")]
-    preset: Option<&'static str>,
-
-    /// What to measure, from a file: [[experiment]] tables of render's options, a list for each
-    /// that varies; see the README
-    #[arg(long, value_name = "FILE.toml")]
-    sweep: Option<PathBuf>,
-
-    /// Directory for study.html, .md, .csv, .json and plots; made if it is not there. What it
-    /// holds already is not measured again
-    #[arg(short, long = "output", value_name = "DIR", required = true)]
-    output: PathBuf,
-
-    /// Measure anew what DIR holds already
-    #[arg(long)]
-    fresh: bool,
-
-    /// Image to compare with [default: the path tracer's, rendered once]
-    #[arg(long, value_name = "FILE.exr", conflicts_with = "reference_samples")]
-    reference: Option<PathBuf>,
-
-    /// Samples of the path tracer's reference [default: 1024; thesis: 256]
-    #[arg(long, allow_negative_numbers = true, value_name = "S",
-          value_parser = clap::value_parser!(u32).range(32..=1 << 24))]
-    reference_samples: Option<u32>,
-
-    /// Seeds of each frame [default: 5; quick: 3; thesis: 1]
-    #[arg(long, allow_negative_numbers = true, value_name = "N",
-          value_parser = clap::value_parser!(u32).range(1..=1000))]
-    seeds: Option<u32>,
-
-    /// The first seed [default: 0]
-    #[arg(long, allow_negative_numbers = true)]
-    seed: Option<u32>,
-
-    /// Of the seeds, how many to measure the error of clustering with, which takes a frame of vpl
-    /// [default: 1; thesis: all]
-    #[arg(long, allow_negative_numbers = true, value_name = "N",
-          value_parser = clap::value_parser!(u32).range(0..=1000))]
-    clustering_seeds: Option<u32>,
-
-    /// Leave out pixels within 2 of any brighter than this in the reference: lights seen directly
-    #[arg(long, value_name = "L", value_parser = parse::number, allow_hyphen_values = true)]
-    mask_above: Option<f64>,
-
-    /// Width and height in pixels [default: the scene's; quick: 256x256; thesis: 512x512]
-    #[arg(long, value_name = "WxH", value_parser = parse::size, allow_hyphen_values = true)]
-    size: Option<[u32; 2]>,
-
-    #[command(flatten)]
-    axes: Axes,
-
-    /// Part of an adapter's name or driver, its index in `gpu-vpl info`, or cpu
-    /// [default: $WGPU_ADAPTER_NAME, else hardware before software]
-    #[arg(long, value_name = "NAME|INDEX")]
-    adapter: Option<String>,
-
-    /// Host threads [default: one a core]
-    #[arg(long, allow_negative_numbers = true, value_name = "N",
-          value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
-
-    /// Say nothing on standard error but errors and warnings
-    #[arg(long)]
-    quiet: bool,
-}
-
-impl StudyArgs {
-    /// What is to be measured.
-    fn plan(&self) -> Result<Plan, Error> {
-        let mut plan = self.base()?;
-        plan.size = self.size.or(plan.size);
-        plan.mask_above = self.mask_above.or(plan.mask_above);
-        if let Some(count) = self.clustering_seeds {
-            plan.clustering_seeds = count as usize;
-        }
-        let count = self.seeds.unwrap_or(plan.seeds.len() as u32);
-        plan.seeds = (0..count).map(|index| self.seed.unwrap_or(0).wrapping_add(index)).collect();
-        if let Some(samples) = self.reference_samples {
-            plan.reference = ReferencePlan::Path { samples };
-        }
-        if let Some(file) = &self.reference {
-            check_one_image(&plan)?;
-            plan.reference = ReferencePlan::File(file.clone());
-        }
-        Ok(plan)
-    }
-
-    /// The preset, the sweep of a file, that of options, or every method.
-    fn base(&self) -> Result<Plan, Error> {
-        let refuse = |what: &str| Err(Error::Usage(format!("study: {what}")));
-        let swept = !self.axes.is_empty();
-        if swept && (self.preset.is_some() || self.sweep.is_some()) {
-            return refuse(OPTIONS_OF_RENDER);
-        }
-        let scenes = self.scenes.clone();
-        match (self.preset, &self.sweep) {
-            (Some(thesis::NAME), _) if !scenes.is_empty() => {
-                refuse("the thesis has its own scene; leave SCENE out")
-            }
-            (Some(thesis::NAME), _) => Ok(thesis::plan()),
-            (Some(_), _) => Ok(presets::quick(scenes)),
-            (None, Some(file)) => sweep::read(file, scenes),
-            (None, None) if scenes.is_empty() => refuse(
-                "what to study? Give a SCENE, --sweep FILE.toml, or --preset thesis, quick or extremes",
-            ),
-            (None, None) if swept => Ok(Plan {
-                name: "sweep".to_owned(),
-                experiments: self.axes.experiments()?,
-                ..presets::of_scenes(scenes)
-            }),
-            (None, None) => Ok(presets::of_scenes(scenes)),
-        }
-    }
-}
-
-/// A given reference is of one scene and one kind of transport.
-fn check_one_image(plan: &Plan) -> Result<(), Error> {
-    let refuse = |what: &str| Err(Error::Usage(format!("study: --reference is one image, {what}")));
-    if plan.scenes.len() > 1 {
-        return refuse("but there are several scenes; study one at a time");
-    }
-    if plan.transports().len() > 1 {
-        return refuse("but the settings differ in --bounces or --direct off; study one at a time");
-    }
-    Ok(())
-}
+pub use args::StudyArgs;
+pub use extremes::front;
 
 /// Measures what is planned, as far as it is not measured yet, and writes what was found. An
 /// interrupted study writes what is done, and goes on when it is run again.
@@ -167,7 +27,7 @@ fn check_one_image(plan: &Plan) -> Result<(), Error> {
 /// # Errors
 /// Usage is refused, an input cannot be read, an output cannot be written, or the device fails.
 pub fn run(args: &StudyArgs) -> Result<(), Error> {
-    if args.preset == Some(crate::study::extremes::NAME) {
+    if args.preset == Some(crate::extremes::NAME) {
         return extremes::run(args);
     }
     let plan = args.plan()?;
@@ -175,7 +35,7 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
     render::start_threads(args.threads)?;
     let store = Store::open(&outputs.store(), args.fresh)?;
     let progress = Progress::new(&plan, args.quiet);
-    let adapter = super::adapter_choice(args.adapter.as_deref());
+    let adapter = adapter_choice(args.adapter.as_deref());
     let mut study = Study::new(plan, store, adapter, interrupt()?);
     let result = study.run(&|event| progress.tell(event));
     let interrupted = match result {
@@ -196,20 +56,4 @@ pub fn run(args: &StudyArgs) -> Result<(), Error> {
             args.output.join(outputs::PAGE).display()
         ))),
     }
-}
-
-/// A flag that Ctrl-C sets; pressed again, it ends the program at once.
-fn interrupt() -> Result<Arc<AtomicBool>, Error> {
-    let pressed = Arc::new(AtomicBool::new(false));
-    let refuse = |error| Error::Usage(format!("study: cannot listen to Ctrl-C: {error}"));
-    flag::register_conditional_shutdown(SIGINT, 130, pressed.clone()).map_err(refuse)?;
-    flag::register(SIGINT, pressed.clone()).map_err(refuse)?;
-    Ok(pressed)
-}
-
-/// The command as it was given.
-fn command() -> String {
-    let words = std::env::args_os().skip(1);
-    let words = words.map(|word| options::quoted(&console::one_line(&word.to_string_lossy())));
-    std::iter::once("gpu-vpl".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }

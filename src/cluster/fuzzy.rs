@@ -4,7 +4,8 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::grid::{Entry, Grid, reach};
-use super::{CHUNK, Clustering, Points, Scale};
+use super::points::{CHUNK, Clustering, Points};
+use super::scale::Scale;
 
 /// The fuzziness q of the weights w_c = 1 / Σ_k (d_c/d_k)^(2/(q−1)).
 const FUZZINESS: f64 = 2.0;

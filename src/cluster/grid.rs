@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{Centroid, NONE};
+use super::points::{Centroid, NONE};
 
 /// Centroids sorted into the cells of a uniform grid.
 ///

@@ -3,10 +3,8 @@
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::{Cluster, Points, Seen};
-
-/// Position and normal of a centroid.
-pub(super) type Centroid = (Vec3, Vec3);
+use super::assignment::Seen;
+use super::points::{Centroid, Cluster, Points};
 
 /// Points sorted by cluster, in their order within it.
 pub(super) struct Members {

@@ -4,7 +4,9 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-use super::{Centroid, Cluster, Clustering, Grid, NONE, Points, Seen};
+use super::Grid;
+use super::assignment::Seen;
+use super::points::{Centroid, Cluster, Clustering, NONE, Points};
 
 /// Every distinct point as a cluster, in the order in which they first come, unless there
 /// are more than so many.

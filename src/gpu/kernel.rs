@@ -1,6 +1,6 @@
 //! A compiled program, and the buffers bound to it by name.
 
-use super::{Bindings, Gpu, GpuError, Linked, Module, Program};
+use super::{Gpu, GpuError, Linked, Module, Program};
 
 /// A program compiled for a device.
 #[derive(Debug)]
@@ -12,6 +12,10 @@ pub struct Kernel {
     pub(super) pipeline: wgpu::ComputePipeline,
     bindings: Vec<(String, u32)>,
 }
+
+/// Buffers bound to a kernel.
+#[derive(Debug, Clone)]
+pub struct Bindings(pub(super) wgpu::BindGroup);
 
 impl Gpu {
     /// Links and compiles a program. (Some drivers compile only at the first dispatch.)

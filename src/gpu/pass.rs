@@ -1,13 +1,12 @@
-//! Passes as data: which kernel, with which buffers, over how many workgroups.
+//! Passes as data: which kernel, with which buffers, over how many workgroups; and how long each
+//! ran by the device's own clock, where the adapter has timestamps.
 
+use std::sync::PoisonError;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use super::{Gpu, GpuError, Kernel};
-
-/// Buffers bound to a kernel.
-#[derive(Debug, Clone)]
-pub struct Bindings(pub(super) wgpu::BindGroup);
+use super::timer::Timer;
+use super::{Bindings, Gpu, GpuError, Kernel, PassTime};
 
 /// One dispatch.
 #[derive(Debug, Clone, Copy)]
@@ -63,5 +62,57 @@ impl Gpu {
             }
             self.queue.submit([encoder.finish()]);
         })
+    }
+}
+
+impl Gpu {
+    /// Reads the timestamps back before they run out of slots.
+    fn keep_time(&self) -> Result<(), GpuError> {
+        match &self.timer {
+            Some(timer) if timer.is_full() => self.collect_times(timer),
+            _ => Ok(()),
+        }
+    }
+
+    /// How long each kernel ran since the last call, in the order of first use; empty where
+    /// the adapter has no timestamps.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn take_pass_times(&self) -> Result<Vec<PassTime>, GpuError> {
+        let Some(timer) = &self.timer else { return Ok(Vec::new()) };
+        self.collect_times(timer)?;
+        let mut state = timer.state.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(std::mem::take(&mut state.times))
+    }
+
+    fn collect_times(&self, timer: &Timer) -> Result<(), GpuError> {
+        let waiting = {
+            let mut state = timer.state.lock().unwrap_or_else(PoisonError::into_inner);
+            std::mem::take(&mut state.waiting)
+        };
+        if waiting.is_empty() {
+            return Ok(());
+        }
+        self.checked("reading timestamps", || {
+            let mut encoder = self.device.create_command_encoder(&Default::default());
+            let stamps = 0..2 * waiting.len() as u32;
+            encoder.resolve_query_set(&timer.queries, stamps, &timer.resolved, 0);
+            self.queue.submit([encoder.finish()]);
+        })?;
+        let stamps: Vec<[u64; 2]> = self.read(&timer.resolved, waiting.len())?;
+        let period = f64::from(self.queue.get_timestamp_period()) * 1e-9;
+        let mut state = timer.state.lock().unwrap_or_else(PoisonError::into_inner);
+        for (label, [start, end]) in waiting.into_iter().zip(stamps) {
+            let time = Duration::from_secs_f64(end.saturating_sub(start) as f64 * period);
+            match state.times.iter_mut().find(|known| known.label == label) {
+                Some(known) => {
+                    known.dispatches += 1;
+                    known.time += time;
+                }
+                None => state.times.push(PassTime { label, dispatches: 1, time }),
+            }
+        }
+        Ok(())
     }
 }

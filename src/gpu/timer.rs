@@ -1,9 +1,7 @@
-//! The device's own clock: how long each pass ran, where the adapter has timestamps.
+//! Timestamps of the device's own clock: their slots, and what was read back so far.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
-
-use super::{Gpu, GpuError};
 
 /// Passes between two read-backs; a query set holds at most 4096 timestamps.
 const SLOTS: u32 = 1024;
@@ -22,16 +20,16 @@ pub struct PassTime {
 /// Collects timestamps pass by pass.
 #[derive(Debug)]
 pub(super) struct Timer {
-    queries: wgpu::QuerySet,
-    resolved: wgpu::Buffer,
-    state: Mutex<State>,
+    pub(super) queries: wgpu::QuerySet,
+    pub(super) resolved: wgpu::Buffer,
+    pub(super) state: Mutex<State>,
 }
 
 #[derive(Debug, Default)]
-struct State {
+pub(super) struct State {
     /// What has run since the last read-back; a pass has two timestamps.
-    waiting: Vec<&'static str>,
-    times: Vec<PassTime>,
+    pub(super) waiting: Vec<&'static str>,
+    pub(super) times: Vec<PassTime>,
 }
 
 impl Timer {
@@ -70,59 +68,7 @@ impl Timer {
         })
     }
 
-    fn is_full(&self) -> bool {
+    pub(super) fn is_full(&self) -> bool {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).waiting.len() as u32 >= SLOTS
-    }
-}
-
-impl Gpu {
-    /// Reads the timestamps back before they run out of slots.
-    pub(super) fn keep_time(&self) -> Result<(), GpuError> {
-        match &self.timer {
-            Some(timer) if timer.is_full() => self.collect_times(timer),
-            _ => Ok(()),
-        }
-    }
-
-    /// How long each kernel ran since the last call, in the order of first use; empty where
-    /// the adapter has no timestamps.
-    ///
-    /// # Errors
-    /// The device fails.
-    pub fn take_pass_times(&self) -> Result<Vec<PassTime>, GpuError> {
-        let Some(timer) = &self.timer else { return Ok(Vec::new()) };
-        self.collect_times(timer)?;
-        let mut state = timer.state.lock().unwrap_or_else(PoisonError::into_inner);
-        Ok(std::mem::take(&mut state.times))
-    }
-
-    fn collect_times(&self, timer: &Timer) -> Result<(), GpuError> {
-        let waiting = {
-            let mut state = timer.state.lock().unwrap_or_else(PoisonError::into_inner);
-            std::mem::take(&mut state.waiting)
-        };
-        if waiting.is_empty() {
-            return Ok(());
-        }
-        self.checked("reading timestamps", || {
-            let mut encoder = self.device.create_command_encoder(&Default::default());
-            let stamps = 0..2 * waiting.len() as u32;
-            encoder.resolve_query_set(&timer.queries, stamps, &timer.resolved, 0);
-            self.queue.submit([encoder.finish()]);
-        })?;
-        let stamps: Vec<[u64; 2]> = self.read(&timer.resolved, waiting.len())?;
-        let period = f64::from(self.queue.get_timestamp_period()) * 1e-9;
-        let mut state = timer.state.lock().unwrap_or_else(PoisonError::into_inner);
-        for (label, [start, end]) in waiting.into_iter().zip(stamps) {
-            let time = Duration::from_secs_f64(end.saturating_sub(start) as f64 * period);
-            match state.times.iter_mut().find(|known| known.label == label) {
-                Some(known) => {
-                    known.dispatches += 1;
-                    known.time += time;
-                }
-                None => state.times.push(PassTime { label, dispatches: 1, time }),
-            }
-        }
-        Ok(())
     }
 }

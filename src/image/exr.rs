@@ -12,7 +12,7 @@ use exr::prelude::{
 };
 
 use super::output::Sink;
-use super::{Image, input};
+use super::{Image, limits};
 
 /// The value of a metadata attribute.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,7 +81,7 @@ pub fn read(file: &[u8]) -> io::Result<Image> {
         return Err(io::Error::other("subsampled channels are not supported"));
     }
     let size = header.layer_size;
-    let area = input::area(size.0 as u64, size.1 as u64)?;
+    let area = limits::area(size.0 as u64, size.1 as u64)?;
     let [red, green, blue] = ["R", "G", "B"].map(|letter| text(&format!("{layer}{letter}")));
     let image = reader()
         .no_deep_data()

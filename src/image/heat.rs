@@ -1,5 +1,6 @@
 //! Values in false colours, above a bar that says what the colours mean.
 
+pub use super::canvas::Canvas;
 use super::label;
 
 /// Colours at equal steps, between which they are mixed as sRGB.
@@ -67,33 +68,6 @@ fn mixed(ramp: &Ramp, place: f64) -> [u8; 3] {
     let mix = |from: u8, to: u8| f64::from(from) + part * (f64::from(to) - f64::from(from));
     let [from, to] = [ramp[index], ramp[index + 1]];
     [0, 1, 2].map(|channel| mix(from[channel], to[channel]).round() as u8)
-}
-
-/// An 8-bit RGB image to draw on.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Canvas {
-    /// Pixels in a row, rows.
-    pub size: [u32; 2],
-    /// Row by row.
-    pub bytes: Vec<u8>,
-}
-
-impl Canvas {
-    fn black([width, height]: [usize; 2]) -> Self {
-        Self { size: [width as u32, height as u32], bytes: vec![0; width * height * 3] }
-    }
-
-    /// Fills a rectangle, given its upper left corner, as far as it lies on the canvas.
-    pub fn fill(&mut self, corner: [usize; 2], extent: [usize; 2], colour: [u8; 3]) {
-        let [width, height] = self.size.map(|extent| extent as usize);
-        let [right, bottom] =
-            [(corner[0] + extent[0]).min(width), (corner[1] + extent[1]).min(height)];
-        for y in corner[1]..bottom {
-            for x in corner[0]..right {
-                self.bytes[(y * width + x) * 3..][..3].copy_from_slice(&colour);
-            }
-        }
-    }
 }
 
 /// The narrowest canvas, which two labels fit on.

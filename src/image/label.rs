@@ -1,6 +1,6 @@
 //! Numbers drawn into an image: glyphs of 3 × 5 dots.
 
-use super::heat::Canvas;
+use super::canvas::Canvas;
 
 /// Dots in a row and rows of a glyph, and from one glyph to the next.
 const WIDTH: usize = 3;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use crate::error::OutputError;
+use super::OutputError;
 
 /// What an encoder writes to.
 pub trait Sink: Write + Seek {}

@@ -7,7 +7,7 @@ use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageEr
 
 use super::output::Sink;
 use super::tone::{Tone, linear, to_rgb8};
-use super::{Image, input};
+use super::{Image, limits};
 
 /// Writes an image as 8-bit RGB.
 ///
@@ -35,7 +35,7 @@ pub fn write_rgb8(out: &mut dyn Sink, [width, height]: [u32; 2], bytes: &[u8]) -
 pub fn read(file: &[u8]) -> io::Result<Image> {
     let decoder = PngDecoder::new(Cursor::new(file)).map_err(io_error)?;
     let (width, height) = decoder.dimensions();
-    input::area(width.into(), height.into())?;
+    limits::area(width.into(), height.into())?;
     let encoded = DynamicImage::from_decoder(decoder).map_err(io_error)?.into_rgb16();
     let linear: Vec<f32> =
         (0..=u16::MAX).map(|value| linear(f64::from(value) / 65535.0) as f32).collect();

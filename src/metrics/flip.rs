@@ -11,9 +11,6 @@ use rayon::prelude::*;
 use crate::image::Image;
 use filter::Plane;
 
-/// Pixels in a degree of the visual field: 3840 on 0.7 m, seen from 0.7 m.
-const PIXELS_PER_DEGREE: f32 = 67.020_64;
-
 /// The exponent of feature differences, q_f (section 5.2).
 const FEATURE_EXPONENT: f32 = 0.5;
 

@@ -1,5 +1,6 @@
 //! What to render, and how well.
 
+mod check;
 mod clustering;
 
 pub use clustering::{Clustering, Merge, Representative};
@@ -173,6 +174,18 @@ pub struct Settings {
     /// What the scene does not need is linked, too: for measuring what leaving it out saves. A
     /// scene is prepared with or without it, whatever frames say.
     pub link_everything: bool,
+}
+
+/// Why settings are refused: one line that names the setting as the command line does.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct SettingsError(String);
+
+impl SettingsError {
+    /// With this reason.
+    pub(super) fn new(why: String) -> Self {
+        Self(why)
+    }
 }
 
 impl Default for Settings {

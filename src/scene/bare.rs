@@ -6,8 +6,7 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::{Draft, DraftCamera, FovAxis, Origin, Scene, Warning};
-use crate::error::SceneError;
+use super::{Draft, DraftCamera, FovAxis, Origin, Scene, SceneError, Warning};
 
 /// The full angle of view, in degrees.
 const FOV: f64 = 45.0;

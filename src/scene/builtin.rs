@@ -4,8 +4,7 @@ mod cornell;
 mod room;
 mod shapes;
 
-use super::{Draft, Scene};
-use crate::error::SceneError;
+use super::{Draft, Scene, SceneError};
 
 /// Names of the built-in scenes, and what they are.
 pub const BUILTIN_SCENES: &[(&str, &str)] = &[

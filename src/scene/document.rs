@@ -7,9 +7,8 @@ use glam::DVec3;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::error::SceneError;
+use super::SceneError;
 use crate::scene::Origin;
-pub use crate::scene::obj::read_text;
 
 /// A TOML file.
 pub struct Document<'a> {
@@ -208,7 +207,7 @@ impl<'a> Value<'a> {
     /// A radiance or an intensity: finite, and not negative.
     pub fn power(&self) -> Result<DVec3, SceneError> {
         let power = self.vector()?;
-        match crate::scene::draft::is_power(power) {
+        match crate::scene::normalise::is_power(power) {
             true => Ok(power),
             false => Err(self.fault("must not be negative, nor beyond f32")),
         }

@@ -1,17 +1,16 @@
 //! A scene being read, in the file's own units and f64.
 
+mod images;
+
 use std::path::PathBuf;
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DVec3, Vec2};
 
-use super::{
-    Environment, Finish, FovAxis, ImageFiles, Material, Scene, Texels, Texture, Warning, camera,
-    normalise,
-};
-use crate::error::{SceneError, location};
+use super::{Environment, Finish, FovAxis, ImageFiles, SceneError, Texels, Texture, Warning};
+use crate::message::location;
 
 /// Triangles, materials, lights and camera as a file gives them. Loaders fill it;
-/// [`Draft::finish`] makes the [`Scene`].
+/// [`Draft::finish`] makes the [`Scene`](super::Scene).
 #[derive(Debug, Clone, Default)]
 pub struct Draft {
     /// The file or `builtin:` name.
@@ -188,123 +187,10 @@ impl Draft {
         });
         index as u32
     }
-
-    /// Checks, recentres, scales and rounds the draft to a [`Scene`].
-    ///
-    /// # Errors
-    /// No camera, no light, impossible values, or nothing to render.
-    pub fn finish(mut self) -> Result<Scene, SceneError> {
-        let origin = Origin::file(&self.name);
-        let materials: Vec<Material> =
-            self.materials.iter().map(DraftMaterial::finish).collect::<Result<_, _>>()?;
-        if !(-100.0..=100.0).contains(&self.exposure) {
-            return Err(origin.error("exposure is not within -100 and 100 EV"));
-        }
-        let draft_camera = self.camera.take().ok_or_else(|| {
-            origin.error("no camera: add a [camera] table with position, target and fov")
-        })?;
-        self.uvs.resize(self.triangles.len(), [Vec2::ZERO; 3]);
-        let mesh = normalise::shapes(&origin, &self, &materials)?;
-        let point_lights = normalise::point_lights(&origin, &self, &mesh.units)?;
-        let directional_lights = normalise::directional_lights(&origin, &self.directional_lights)?;
-        let textured = materials.iter().any(|material| material.textures().next().is_some());
-        let mut warnings = self.warnings;
-        warnings.extend(mesh.warnings);
-        let scene = Scene {
-            name: self.name,
-            camera: camera::finish(&draft_camera, &mesh.units)?,
-            exposure: self.exposure as f32,
-            triangles: mesh.triangles,
-            uvs: if textured { mesh.uvs } else { Vec::new() },
-            spheres: mesh.spheres,
-            materials,
-            textures: self.textures,
-            images: self.images,
-            point_lights,
-            directional_lights,
-            environment: self.environment,
-            units: mesh.units,
-            dropped_triangles: mesh.dropped,
-            warnings,
-        };
-        if !scene.is_lit() {
-            return Err(origin.error(
-                "no light: add a [[light]], or a material with an emission, that is not black",
-            ));
-        }
-        Ok(scene)
-    }
-}
-
-impl DraftMaterial {
-    /// Checks and rounds it.
-    fn finish(&self) -> Result<Material, SceneError> {
-        let fault = |what: &str, value: DVec3, range: &str| {
-            let DVec3 { x, y, z } = value;
-            let name = &self.name;
-            self.origin.error(format!("material `{name}`: {what} [{x}, {y}, {z}] is not {range}"))
-        };
-        if !self.albedo.to_array().iter().all(|a| (0.0..=1.0).contains(a)) {
-            return Err(fault("albedo", self.albedo, "within 0 and 1"));
-        }
-        if !is_power(self.emission) {
-            return Err(fault("emission", self.emission, "a finite radiance of 0 or more"));
-        }
-        let finish = self.finish;
-        if let Some(what) = impossible(&finish, normalise::round(self.albedo)) {
-            return Err(self.origin.error(format!("material `{}`: {what}", self.name)));
-        }
-        Ok(Material {
-            name: self.name.clone(),
-            albedo: normalise::round(self.albedo),
-            texture: self.texture,
-            cutout: self.cutout,
-            finish,
-            emission: normalise::round(self.emission),
-            emission_texture: self.emission_texture,
-            two_sided: self.two_sided,
-        })
-    }
-}
-
-/// What is wrong with a finish over a diffuse albedo.
-fn impossible(finish: &Finish, albedo: Vec3) -> Option<&'static str> {
-    /// What the sum of two rounded reflectances may exceed 1 by.
-    const ROUNDING: f32 = 1e-5;
-    let within = |color: Vec3| color.to_array().iter().all(|c| (0.0..=1.0).contains(c));
-    match *finish {
-        Finish::Diffuse => None,
-        Finish::Phong { specular, .. }
-        | Finish::Mirror { specular }
-        | Finish::Glass { specular, .. }
-            if !within(specular) =>
-        {
-            Some("specular is not within 0 and 1")
-        }
-        // Light would take no notice of it, but images of the reflectance would.
-        Finish::Mirror { .. } | Finish::Glass { .. } if albedo != Vec3::ZERO => {
-            Some("mirror and glass have no albedo; make it 0")
-        }
-        Finish::Phong { specular, .. } if (specular + albedo).max_element() > 1.0 + ROUNDING => {
-            Some("albedo and specular together exceed 1; lower one of them")
-        }
-        Finish::Phong { shininess, .. } if !(0.0..=1e6).contains(&shininess) => {
-            Some("shininess is not within 0 and 1e6")
-        }
-        Finish::Glass { ior, .. } if !(0.1..=10.0).contains(&ior) => {
-            Some("ior is not within 0.1 and 10")
-        }
-        _ => None,
-    }
 }
 
 /// Texture coordinates, or what they are multiplied by: beyond, f32 tells no texels apart, and
 /// products might overflow.
 fn bounded(uv: Vec2) -> Vec2 {
     uv.clamp(Vec2::splat(-1e9), Vec2::splat(1e9))
-}
-
-/// Whether a radiance or an intensity is possible: finite in f32, and not negative.
-pub fn is_power(value: DVec3) -> bool {
-    value.to_array().iter().all(|&v| v >= 0.0 && (v as f32).is_finite())
 }

@@ -21,8 +21,7 @@ use std::path::Path;
 use glam::DAffine3;
 
 use super::mesh::{Library, Mesh};
-use super::{Draft, Scene, Warning, bare};
-use crate::error::SceneError;
+use super::{Draft, Scene, SceneError, Warning, bare};
 use source::Source;
 use surface::Surfaces;
 use view::View;

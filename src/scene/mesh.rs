@@ -7,9 +7,10 @@ use std::path::PathBuf;
 
 use glam::{DAffine3, DVec3, Vec2};
 
-use super::mtl::DEFAULT_ALBEDO;
-use super::{Draft, DraftMaterial, Origin, Warning};
-use crate::error::SceneError;
+use super::{Draft, DraftMaterial, Origin, SceneError, Warning};
+
+/// Albedo of what has no material, or a material without colour.
+pub const DEFAULT_ALBEDO: DVec3 = DVec3::splat(0.8);
 
 /// A triangle, in the file's units.
 #[derive(Debug, Clone, Copy)]

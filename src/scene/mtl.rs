@@ -2,41 +2,17 @@
 //! `tobj`'s reader does not keep.
 
 mod map;
+mod material;
+mod statement;
 mod surface;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use glam::DVec3;
-
-use super::obj::read_text;
-use crate::error::SceneError;
+use super::SceneError;
+use super::text::read_text;
 use map::Map;
-
-/// Albedo of what has no material, or a material without colour.
-pub const DEFAULT_ALBEDO: DVec3 = DVec3::splat(0.8);
-
-/// A material as the file gives it; colours are linear.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MtlMaterial {
-    /// Its name.
-    pub name: String,
-    file: PathBuf,
-    line: usize,
-    diffuse: Option<DVec3>,
-    specular: DVec3,
-    emission: Option<DVec3>,
-    shininess: f64,
-    dissolve: Option<f64>,
-    transparency: f64,
-    illumination: f64,
-    refraction: Option<f64>,
-    transmission: Option<DVec3>,
-    diffuse_map: Option<Map>,
-    opacity_map: Option<Map>,
-    emission_map: Option<Map>,
-    /// Statements of maps that are not shown.
-    other_maps: Vec<String>,
-}
+pub use material::MtlMaterial;
+use statement::Statement;
 
 /// Reads all materials of a file; of two of one name, the first.
 pub fn read(file: &Path) -> Result<Vec<MtlMaterial>, SceneError> {
@@ -63,25 +39,7 @@ fn parse(file: &Path, text: &str) -> Result<Vec<MtlMaterial>, SceneError> {
     Ok(materials)
 }
 
-/// A line of the file.
-struct Statement<'a> {
-    file: &'a Path,
-    line: usize,
-    keyword: &'a str,
-    words: Vec<&'a str>,
-    /// The whole line.
-    content: &'a str,
-}
-
 impl Statement<'_> {
-    fn is_colour(&self) -> bool {
-        ["kd", "ks", "ke"].contains(&self.lowercase().as_str())
-    }
-
-    fn lowercase(&self) -> String {
-        self.keyword.to_ascii_lowercase()
-    }
-
     /// Notes what it says of a material. Unknown statements are passed over, as the many
     /// extensions of the format ask for.
     fn apply(&self, material: &mut MtlMaterial) -> Result<(), SceneError> {
@@ -108,29 +66,6 @@ impl Statement<'_> {
             _ => {}
         }
         Ok(())
-    }
-
-    fn number(&self, index: usize) -> Result<f64, SceneError> {
-        let word = self.words.get(index).copied().unwrap_or_default();
-        let number = word.parse().ok().filter(|x: &f64| x.is_finite());
-        number.ok_or_else(|| self.fault("is followed by no number"))
-    }
-
-    /// One number for all channels, or three.
-    fn colour(&self) -> Result<DVec3, SceneError> {
-        match self.words[..] {
-            ["spectral" | "xyz", ..] => {
-                Err(self.fault("gives a spectrum or XYZ, which is not supported; give r g b"))
-            }
-            [_] => Ok(DVec3::splat(self.number(0)?)),
-            [_, _, _, ..] => Ok(DVec3::new(self.number(0)?, self.number(1)?, self.number(2)?)),
-            _ => Err(self.fault("needs three numbers r g b")),
-        }
-    }
-
-    fn fault(&self, what: &str) -> SceneError {
-        let Self { file, line, keyword, words, .. } = self;
-        SceneError::at(*file, *line, format!("`{keyword} {}`: {keyword} {what}", words.join(" ")))
     }
 }
 

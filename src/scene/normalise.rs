@@ -5,10 +5,9 @@ use std::collections::HashMap;
 use glam::{DVec3, Vec2, Vec3};
 
 use super::{
-    Cone, DirectionalLight, Draft, DraftSphere, DraftSpot, Material, Origin, PointLight, Sphere,
-    Triangle, Units, Warning,
+    Cone, DirectionalLight, Draft, DraftSphere, DraftSpot, Material, Origin, PointLight,
+    SceneError, Sphere, Triangle, Units, Warning,
 };
-use crate::error::SceneError;
 
 /// Coordinates beyond this are refused: their products would leave the range of f64.
 const FARTHEST: f64 = 1e100;
@@ -19,10 +18,6 @@ const SMALLEST: f64 = 1e-100;
 /// Height over longest edge below which a triangle has no area: the rounding of f64 input
 /// alone makes slivers of a collinear triple.
 const FLATTEST: f64 = 1e-12;
-
-/// How far a half-extent may be from a power of two that is used instead. Scenes are often a power
-/// of two wide; far from the origin they are so but for rounding.
-const SCALE_SLACK: f64 = 1e-6;
 
 /// The shapes of a scene in normalised units.
 #[derive(Debug)]
@@ -41,29 +36,6 @@ pub struct Normalised {
     pub warnings: Vec<Warning>,
 }
 
-impl Units {
-    /// The units in which these corners span [-1, 1] along their longest axis.
-    fn around(corners: impl Iterator<Item = DVec3>) -> Self {
-        let (low, high) = corners
-            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), corner| {
-                (low.min(corner), high.max(corner))
-            });
-        let half_extent = 0.5 * (high - low).max_element();
-        Self { center: 0.5 * (low + high), scale: power_of_two_near(half_extent) }
-    }
-
-    /// A point of the file in normalised units.
-    pub fn normalise(&self, point: DVec3) -> DVec3 {
-        (point - self.center) / self.scale
-    }
-}
-
-/// `length`, or the power of two next to it if that is within [`SCALE_SLACK`].
-fn power_of_two_near(length: f64) -> f64 {
-    let power = length.log2().round().exp2();
-    if (length / power - 1.0).abs() <= SCALE_SLACK { power } else { length }
-}
-
 /// Rounds to f32. Subnormals become 0, as they do on some devices: no device's choice may
 /// show. So does -0.
 pub fn round(vector: DVec3) -> Vec3 {
@@ -72,6 +44,11 @@ pub fn round(vector: DVec3) -> Vec3 {
         if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
     };
     Vec3::new(flush(vector.x), flush(vector.y), flush(vector.z))
+}
+
+/// Whether a radiance or an intensity is possible: finite in f32, and not negative.
+pub fn is_power(value: DVec3) -> bool {
+    value.to_array().iter().all(|&v| v >= 0.0 && (v as f32).is_finite())
 }
 
 /// Leaves out what has no area or is there twice, then recentres, scales and rounds.

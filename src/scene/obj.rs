@@ -9,10 +9,10 @@ use std::path::{Path, PathBuf};
 
 use glam::{DAffine3, DVec3};
 
-use super::mesh::{Library, Mesh, Triangle};
+use super::mesh::{DEFAULT_ALBEDO, Library, Mesh, Triangle};
 use super::mtl::{self, MtlMaterial};
-use super::{Draft, DraftMaterial, Origin, Scene, Warning, bare, polygon};
-use crate::error::SceneError;
+use super::text::read_text;
+use super::{Draft, DraftMaterial, Origin, Scene, SceneError, Warning, bare, polygon};
 use scan::{Named, Scan};
 
 /// The materials of all libraries, and what `usemtl` asks for.
@@ -29,16 +29,6 @@ pub fn load_bare(path: &Path) -> Result<Scene, SceneError> {
     let mut draft = Draft::new(path.display().to_string());
     read(path)?.add_to(&mut draft, &HashMap::new(), &DAffine3::IDENTITY)?;
     bare::finish(draft, path)
-}
-
-/// Reads a file as text: bytes that are no UTF-8 are replaced, lines end in '\n'.
-pub fn read_text(file: &Path) -> Result<String, SceneError> {
-    let bytes = std::fs::read(file).map_err(|error| {
-        SceneError::new(file, format!("cannot read it: {error}; check the name and its rights"))
-    })?;
-    let text = String::from_utf8_lossy(&bytes);
-    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
-    Ok(text.replace("\r\n", "\n").replace('\r', "\n"))
 }
 
 /// Reads a mesh and the materials it names.
@@ -182,7 +172,7 @@ impl Materials {
         draft.warnings.push(origin.changed(what));
         draft.add_material(DraftMaterial {
             name: name.clone(),
-            albedo: mtl::DEFAULT_ALBEDO,
+            albedo: DEFAULT_ALBEDO,
             origin,
             ..DraftMaterial::default()
         })

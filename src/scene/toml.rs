@@ -10,8 +10,8 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::document::Document;
-use super::{Draft, Scene, obj::read_text};
-use crate::error::SceneError;
+use super::text::read_text;
+use super::{Draft, Scene, SceneError};
 
 /// Loads a scene file.
 pub fn load(path: &Path) -> Result<Scene, SceneError> {

@@ -112,7 +112,7 @@ fn maybe(value: Option<impl ToString>) -> String {
 }
 
 /// Quoted where it has to be.
-pub(super) fn field(text: &str) -> String {
+pub(crate) fn field(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {

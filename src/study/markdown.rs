@@ -3,9 +3,8 @@
 
 use std::io::{self, Write};
 
-use super::Claim;
-use super::claims::Criterion;
 use super::results::{Against, Curve, Metric, Results, Row, SceneResults, Spread};
+use super::verdict::{Claim, Criterion};
 
 /// A column: its heading, and a row's value.
 type Column = (&'static str, fn(&Row) -> String);

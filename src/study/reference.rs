@@ -6,9 +6,9 @@ use super::measure::{Bench, Lens, Measured};
 use super::plan::Transport;
 use super::results::{self, Noise};
 use super::store::{Store, hash_of_image, name_of};
-use super::{Event, Fault, Tell, options};
-use crate::error::ImageError;
-use crate::image::{Image, read};
+use super::{Event, Tell, options};
+use crate::error::Error;
+use crate::image::{Image, ImageError, read};
 use crate::metrics::away_from_bright;
 use crate::render::{Bounces, Settings};
 
@@ -64,7 +64,7 @@ pub fn rendered(
     transport: Transport,
     samples: u32,
     tell: Tell<'_>,
-) -> Result<Reference, Fault> {
+) -> Result<Reference, Error> {
     let each = samples.div_ceil(PASSES).max(2);
     let mut settings = transport.reference(each);
     let (mut sums, seconds, mut warnings) = passes(bench, store, making, &settings, tell)?;
@@ -102,7 +102,7 @@ pub fn given(
     transport: Transport,
     file: &Path,
     tell: Tell<'_>,
-) -> Result<Reference, Fault> {
+) -> Result<Reference, Error> {
     let image = read(file)?;
     let [width, height] = bench.camera.size;
     if [image.width, image.height] != [width, height] {
@@ -166,7 +166,7 @@ fn passes(
     making: Making<'_>,
     settings: &Settings,
     tell: Tell<'_>,
-) -> Result<(Sums, f64, Vec<String>), Fault> {
+) -> Result<(Sums, f64, Vec<String>), Error> {
     let mut sums = Sums::default();
     let mut seconds = 0.0;
     let mut changed = 0;

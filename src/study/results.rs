@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::Claim;
+use super::verdict::Claim;
 use crate::gpu::AdapterInfo;
 use crate::report::{BounceLimit, FramePhases};
 

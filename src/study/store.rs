@@ -10,9 +10,8 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::Measured;
-use crate::error::OutputError;
 use crate::image::exr::{self, Plane};
-use crate::image::{Destination, Image, read};
+use crate::image::{Destination, Image, OutputError, read};
 
 /// A directory of measurements, a line each, and of images in full precision.
 #[derive(Debug)]
@@ -37,6 +36,11 @@ struct Seal {
 
 const LOG: &str = "measured.jsonl";
 const IMAGES: &str = "images";
+
+/// The place of what is kept within the directory of a study.
+pub fn store_in(directory: &Path) -> PathBuf {
+    directory.join("measured")
+}
 
 impl<M: Serialize + DeserializeOwned> Store<M> {
     /// Opens a directory, made if it is not there; `fresh` forgets what it holds.

@@ -1,9 +1,15 @@
 //! The thesis's experiments, and its seconds.
 
-use super::claims::{self, Claim};
+mod names;
+
+use super::claims;
 use super::results::{Published, Row};
+use super::verdict::Claim;
 use super::{Experiment, Plan, ReferencePlan, Run};
 use crate::render::{Bounces, Clustering, Merge, Method, Representative, Settings};
+pub use names::{
+    CLUSTERS, ITERATIONS, LINEAR, PATH, STRIDE, TABLE_BOTH, TABLE_VPC, TABLE_VPL, TABLE_VPLC,
+};
 
 /// The preset's name.
 pub const NAME: &str = "thesis";
@@ -16,25 +22,6 @@ const SIZE: [u32; 2] = [512, 512];
 
 /// tT of the unclustered frame of 2000 paths and 2 bounces, which is the thesis's reference.
 const REFERENCE_SECONDS: f64 = 183.1;
-
-/// Names of the experiments, as rows and claims refer to them.
-pub const TABLE_VPL: &str = "table 5.2";
-/// VPL clusters.
-pub const TABLE_VPLC: &str = "table 5.3";
-/// Point clusters.
-pub const TABLE_VPC: &str = "table 5.4";
-/// Both.
-pub const TABLE_BOTH: &str = "table 5.5";
-/// Claim: time is linear in the number of VPLs.
-pub const LINEAR: &str = "linear";
-/// Claim: little changes after a few iterations.
-pub const ITERATIONS: &str = "iterations";
-/// Claim: a stride makes clustering faster.
-pub const STRIDE: &str = "stride";
-/// Claim: VPL clusters look like VPLs.
-pub const CLUSTERS: &str = "clusters";
-/// Claim: VPLs beat path tracing.
-pub const PATH: &str = "path";
 
 /// The thesis's study.
 pub fn plan() -> Plan {

@@ -1,12 +1,12 @@
 //! The visibility and the shading pass, run on records made by hand.
 
 use gpu_vpl::bvh::Bvh;
+use gpu_vpl::extremes::checks::gather::{self as shading, Matrix};
+use gpu_vpl::extremes::checks::trace::World;
 use gpu_vpl::gpu::{Bindings, Gpu, Kernel, Pass, PointRecord, VisibilityParams, VplRecord};
 use gpu_vpl::render::Target;
 use gpu_vpl::render::kernels::{Emitter, Tracing, rays_at_once, visibility};
 use gpu_vpl::sampling::SURFACE_OFFSET;
-use gpu_vpl::study::extremes::checks::gather::{self as shading, Matrix};
-use gpu_vpl::study::extremes::checks::trace::World;
 
 use super::tracing::world_of_triangles;
 

@@ -13,13 +13,13 @@ pub mod tracing;
 use std::sync::OnceLock;
 
 use glam::{DVec3, Vec2, dvec3};
+pub use gpu_vpl::extremes::checks::random::Rng;
 use gpu_vpl::gpu::{AdapterChoice, Gpu};
 use gpu_vpl::metrics::largest;
 use gpu_vpl::render::{self, Frame, Prepared, Settings};
 use gpu_vpl::scene::{
     Draft, DraftCamera, DraftMaterial, DraftSphere, Finish, FovAxis, Origin, Scene, Texels, Texture,
 };
-pub use gpu_vpl::study::extremes::checks::random::Rng;
 
 /// A device of one's own.
 pub fn open_gpu() -> Gpu {

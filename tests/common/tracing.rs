@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 use gpu_vpl::bvh::{Bvh, Ray};
+use gpu_vpl::extremes::checks::trace::{self, Answers, World};
 use gpu_vpl::scene::{Scene, Triangle};
-use gpu_vpl::study::extremes::checks::trace::{self, Answers, World};
 
 use super::Rng;
 

@@ -1,6 +1,6 @@
 //! What is off by little is told from what is right, for every kind of expectation.
 
-use gpu_vpl::study::extremes::{Cases, Judged, Scale, Verdict};
+use gpu_vpl::extremes::{Cases, Judged, Scale, Verdict};
 
 use super::runner;
 

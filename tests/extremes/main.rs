@@ -8,9 +8,9 @@ use std::fs;
 use std::time::Instant;
 
 use gpu_vpl::cli;
+use gpu_vpl::extremes::checks::CHECKS;
+use gpu_vpl::extremes::{CASES, Cases, Expect, Judged, Runner, Scale, Verdict};
 use gpu_vpl::gpu::AdapterChoice;
-use gpu_vpl::study::extremes::checks::CHECKS;
-use gpu_vpl::study::extremes::{CASES, Cases, Expect, Judged, Runner, Scale, Verdict};
 
 mod fails;
 

@@ -2,11 +2,11 @@
 
 use glam::{DVec3, Vec3};
 use gpu_vpl::bvh::Ray;
+use gpu_vpl::extremes::checks::gather::{point, vpl};
+use gpu_vpl::extremes::checks::trace::Answer;
 use gpu_vpl::render::kernels::Tracing;
 use gpu_vpl::sampling::SURFACE_OFFSET;
 use gpu_vpl::scene::{Scene, Sphere, Triangle};
-use gpu_vpl::study::extremes::checks::gather::{point, vpl};
-use gpu_vpl::study::extremes::checks::trace::Answer;
 
 use super::common::gather::visible_in;
 use super::common::tracing::{on_all_of, random_rays, soup, world_of};

@@ -21,6 +21,19 @@ pub enum MapKind {
 }
 
 impl MapKind {
+    /// From its name.
+    ///
+    /// # Errors
+    /// It is none.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        match text {
+            "magnitude" => Ok(Self::Magnitude),
+            "signed" => Ok(Self::Signed),
+            "flip" => Ok(Self::Flip),
+            _ => Err("give magnitude, signed or flip".to_owned()),
+        }
+    }
+
     fn name(self) -> &'static str {
         match self {
             Self::Magnitude => "magnitude",

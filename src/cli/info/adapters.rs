@@ -2,7 +2,7 @@
 
 use std::fmt::{Result, Write};
 
-use super::{Builtin, Info};
+use super::listing::{Builtin, Info};
 use crate::gpu::{AdapterDescription, AdapterInfo};
 
 /// All adapters with their limits, and all built-in scenes.

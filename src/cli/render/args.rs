@@ -27,7 +27,7 @@ pub struct RenderArgs {
     /// Light paths; each leaves up to one VPL a bounce
     #[arg(long, allow_negative_numbers = true, value_name = "N",
           default_value_t = Settings::default().light_paths,
-          value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_LIGHT_PATHS)))]
     pub vpls: u32,
 
     /// Indirect bounces, or unlimited
@@ -52,7 +52,7 @@ pub struct RenderArgs {
     /// Shadow rays to area lights from each visible point, or cluster [default: 16 a pixel, 256 a
     /// cluster]; not for path, which has one a vertex
     #[arg(long, allow_negative_numbers = true, value_name = "S",
-          value_parser = clap::value_parser!(u32).range(1..=65536))]
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_LIGHT_SAMPLES)))]
     pub light_samples: Option<u32>,
 
     /// Bound on the geometry term, in 1/length² of the scene's units, or auto, or off
@@ -89,12 +89,12 @@ pub struct RenderArgs {
     /// the nearest visible point on its surface. 1 is none but the samples
     #[arg(long, allow_negative_numbers = true, value_name = "E",
           default_value_t = Settings::default().edge_samples,
-          value_parser = clap::value_parser!(u32).range(1..=4096))]
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_EDGE_SAMPLES)))]
     pub edge_samples: u32,
 
     /// Further images: normal, albedo, depth, and of path standard-error, that of each pixel's
     /// mean; layers of an EXR, NAME.normal.png beside a PNG
-    #[arg(long = "aov", value_name = "AOV,...", value_delimiter = ',', value_parser = parse::aov)]
+    #[arg(long = "aov", value_name = "AOV,...", value_delimiter = ',', value_parser = Aov::parse)]
     pub aovs: Vec<Aov>,
 
     /// Frames to render on one prepared scene; the report times each
@@ -147,17 +147,9 @@ impl RenderArgs {
     /// # Errors
     /// There is such an option.
     pub fn check(&self) -> Result<(), Error> {
-        if self.direct == Direct::Clustered && !self.method.clusters_points() {
-            let what =
-                "--direct clustered needs clusters of visible points; give --method vpc or both";
-            return Err(Error::Usage(what.to_owned()));
-        }
-        let path = self.method == Method::Path;
-        if path && self.light_samples.is_some() {
-            let what = "--light-samples: a path has one shadow ray a vertex; give more --samples";
-            return Err(Error::Usage(what.to_owned()));
-        }
-        let has_error = path && self.settings().samples >= 2;
+        let settings = self.settings();
+        settings.check()?;
+        let has_error = settings.method == Method::Path && settings.samples >= 2;
         if self.aovs.contains(&Aov::StandardError) && !has_error {
             let what = "--aov standard-error needs --method path with 2 --samples or more";
             return Err(Error::Usage(what.to_owned()));
@@ -203,13 +195,13 @@ pub struct ClusteringArgs {
     /// K-means iterations over the visible points, at most
     #[arg(long, allow_negative_numbers = true, value_name = "N",
           default_value_t = Clustering::default().point_iterations,
-          value_parser = clap::value_parser!(u32).range(1..=1000))]
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(Clustering::MOST_ITERATIONS)))]
     pub point_iterations: u32,
 
     /// K-means iterations over the VPLs, at most
     #[arg(long, allow_negative_numbers = true, value_name = "N",
           default_value_t = Clustering::default().vpl_iterations,
-          value_parser = clap::value_parser!(u32).range(1..=1000))]
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(Clustering::MOST_ITERATIONS)))]
     pub vpl_iterations: u32,
 
     /// Cosine of normals above which a point may join a cluster
@@ -234,7 +226,7 @@ pub struct ClusteringArgs {
     /// Middle iterations see one visible point in so many
     #[arg(long, allow_negative_numbers = true, value_name = "S",
           default_value_t = Clustering::default().stride,
-          value_parser = clap::value_parser!(u32).range(1..=4096))]
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(Clustering::MOST_STRIDE)))]
     pub kmeans_stride: u32,
 
     /// What stands for a VPL cluster: mean or member

@@ -6,7 +6,7 @@ use super::aov::Aov;
 use crate::cli::console::Progress;
 use crate::gpu::GpuError;
 use crate::image::Image;
-use crate::render::{self, Frame, Prepared, Settings};
+use crate::render::{self, Direct, Frame, Prepared, Settings};
 use crate::report::FrameTimes;
 use crate::scene::Camera;
 
@@ -62,7 +62,9 @@ impl Job {
     pub fn aovs(&self, aovs: &[Aov], frame: &Frame) -> Result<Vec<(Aov, Image)>, GpuError> {
         let image = |aov: &Aov| match aov {
             Aov::Of(method) => {
-                let settings = Settings { method: *method, ..self.settings };
+                // It shows no light, whichever way that comes.
+                let direct = Direct::default();
+                let settings = Settings { method: *method, direct, ..self.settings };
                 Some(self.frame(&settings).map(|frame| frame.image))
             }
             Aov::StandardError => frame.standard_error.clone().map(Ok),

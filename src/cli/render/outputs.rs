@@ -4,10 +4,9 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::aov::Aov;
-use crate::cli::parse::tone;
 use crate::error::{Error, OutputError};
 use crate::image::exr::{Metadata, Plane, Value};
-use crate::image::{Destination, Format, Image, Staged, exr, png};
+use crate::image::{Destination, Format, Image, Staged, Tone, exr, png};
 use crate::render::{Counts, Method};
 
 /// An image in the making: the frame itself, or an AOV, and what it shows.
@@ -139,6 +138,16 @@ fn plane<'a>(layer: &'static str, shown: Shown<'a>) -> Plane<'a> {
         _ => "RGB",
     };
     Plane { layer, channels, image: shown.image }
+}
+
+/// How a method's data is shown in 8 bits. The exposure is for light alone.
+fn tone(method: Method, exposure: f32) -> Tone {
+    match method {
+        Method::Albedo => Tone::Radiance { exposure: 0.0 },
+        Method::Normal => Tone::Normal,
+        Method::Depth => Tone::Depth,
+        _ => Tone::Radiance { exposure },
+    }
 }
 
 /// What an EXR file says of its making.

@@ -1,23 +1,24 @@
 //! `study --preset extremes`: cases in which renderers fail first, at full size.
 
+use super::args::{OPTIONS_OF_RENDER, StudyArgs};
 use super::axes::render_args;
 use super::outputs::{TABLE, Tables};
-use super::{StudyArgs, command, interrupt};
-use crate::cli::{adapter_choice, console, render};
+use super::process::{command, interrupt};
+use crate::cli::adapter::adapter_choice;
+use crate::cli::{console, render};
 use crate::error::Error;
+use crate::extremes::table::Report;
+use crate::extremes::{Asked, CASES, Cases, Front, Judged, Runner, Scale, Verdict};
 use crate::gpu::{Gpu, GpuError};
-use crate::study::extremes::table::Report;
-use crate::study::extremes::{Asked, CASES, Cases, Front, Judged, Runner, Scale, Verdict};
 use crate::study::{Store, name_of_program};
 
-/// How the program's command line reads the options of cases, and what it warns of.
+/// How the program's command line reads the options of cases.
 pub fn front() -> Front {
     Front {
         options: |words| {
             let args = render_args(words.iter().cloned())?;
             Ok(Asked { settings: args.settings(), seed: args.seed, size: args.size })
         },
-        warnings: |frame, settings| render::warnings_of_frame(frame, settings).collect(),
     }
 }
 
@@ -119,7 +120,7 @@ fn check(args: &StudyArgs) -> Result<(), Error> {
         return refuse("the extremes have their own scenes; leave SCENE out".to_owned());
     }
     if !args.axes.is_empty() {
-        return refuse(super::OPTIONS_OF_RENDER.to_owned());
+        return refuse(OPTIONS_OF_RENDER.to_owned());
     }
     let given = [
         ("--reference", args.reference.is_some()),

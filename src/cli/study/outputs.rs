@@ -4,9 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, OutputError};
+use crate::extremes::table::{self, Report};
 use crate::image::Destination;
 use crate::image::output::{Staged, commit};
-use crate::study::extremes::table::{self, Report};
 use crate::study::results::{Against, Metric};
 use crate::study::{Results, Study, csv, markdown, page, plot, store_in};
 

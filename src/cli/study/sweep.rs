@@ -6,7 +6,8 @@ use std::path::Path;
 use super::axes::Axes;
 use crate::cli::parse;
 use crate::error::{Error, SceneError};
-use crate::scene::document::{Document, Section, Value, read_text};
+use crate::scene::document::{Document, Section, Value};
+use crate::scene::text::read_text;
 use crate::study::{Experiment, Plan, ReferencePlan, presets};
 
 /// The keys beside `[[experiment]]`.

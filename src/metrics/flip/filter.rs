@@ -5,7 +5,8 @@ use std::f32::consts::PI;
 
 use rayon::prelude::*;
 
-use super::PIXELS_PER_DEGREE;
+/// Pixels in a degree of the visual field: 3840 on 0.7 m, seen from 0.7 m.
+const PIXELS_PER_DEGREE: f32 = 67.020_64;
 
 /// One channel of an image.
 pub struct Plane {

@@ -5,8 +5,7 @@
 use glam::{DVec3, dvec3};
 
 use super::shapes::Shapes;
-use crate::error::SceneError;
-use crate::scene::{Draft, DraftCamera, FovAxis, Origin};
+use crate::scene::{Draft, DraftCamera, FovAxis, Origin, SceneError};
 
 const WHITE: [f64; 3] = [0.725, 0.71, 0.68];
 const RED: [f64; 3] = [0.63, 0.065, 0.05];

@@ -7,8 +7,7 @@ use std::f64::consts::PI;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
 use super::shapes::Shapes;
-use crate::error::SceneError;
-use crate::scene::{Draft, DraftCamera, FovAxis, Origin};
+use crate::scene::{Draft, DraftCamera, FovAxis, Origin, SceneError};
 
 const HALF_WIDTH: f64 = 6.0;
 const LENGTH: f64 = 24.0;

@@ -4,8 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3, dvec3};
 
-use crate::error::SceneError;
-use crate::scene::{Draft, DraftMaterial, Origin};
+use crate::scene::{Draft, DraftMaterial, Origin, SceneError};
 
 /// Adds shapes to a draft.
 pub struct Shapes<'a> {

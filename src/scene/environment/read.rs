@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use super::{Environment, EnvironmentImage, MOST, pack};
 use crate::image::exr;
 use crate::scene::texture::{decode, linear, read_image};
-use crate::scene::{Origin, Warning, draft, normalise};
+use crate::scene::{Origin, Warning, normalise};
 
 /// The most texels of a map: 1 GiB packed.
 const MOST_TEXELS: u64 = 1 << 28;
@@ -44,7 +44,7 @@ pub fn read(path: &Path, radiance: DVec3, origin: &Origin) -> (Environment, Opti
         Err(what) => return magenta(&what),
     };
     let radiance = radiance * f64::from(unit);
-    if !draft::is_power(radiance) {
+    if !normalise::is_power(radiance) {
         return magenta("is brighter than f32 can hold");
     }
     let warning = impossible.map(|(count, [x, y])| {

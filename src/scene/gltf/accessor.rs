@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::json;
 use super::source::Source;
-use crate::error::SceneError;
+use crate::scene::SceneError;
 
 /// The most elements of an accessor that no buffer backs: there is no data to show that
 /// they are meant.

@@ -4,7 +4,7 @@ use glam::{DAffine3, DMat4, DQuat, DVec3};
 
 use super::json::Node;
 use super::source::Source;
-use crate::error::SceneError;
+use crate::scene::SceneError;
 
 /// The nodes of the default scene, of the first if none is, or all if there are no scenes;
 /// parents before their children, with their transforms to the scene.

@@ -18,9 +18,10 @@ use serde_json::Value;
 use super::json::{self, TextureInfo};
 use super::source::Source;
 use super::texture::{self, Image, Layout};
-use crate::error::SceneError;
 use crate::scene::texture::{Part, decode::Means};
-use crate::scene::{Draft, DraftMaterial, Finish, Origin, Texels, Texture, Warning, normalise};
+use crate::scene::{
+    Draft, DraftMaterial, Finish, Origin, SceneError, Texels, Texture, Warning, normalise,
+};
 
 const STRENGTH: &str = "KHR_materials_emissive_strength";
 const TRANSMISSION: &str = "KHR_materials_transmission";

@@ -8,7 +8,7 @@ use base64::Engine as _;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
 use super::json::{Buffer, Document};
-use crate::error::SceneError;
+use crate::scene::SceneError;
 
 /// Extensions whose meaning is known, or that concern nothing that is rendered.
 const SUPPORTED: [&str; 6] = [

@@ -6,9 +6,8 @@ use super::accessor::Accessor;
 use super::json::{Node, Primitive};
 use super::source::Source;
 use super::texture::Layout;
-use crate::error::SceneError;
-use crate::scene::Warning;
 use crate::scene::mesh::Triangle;
+use crate::scene::{SceneError, Warning};
 
 /// The most triangles of a scene. A few bytes of JSON can place a mesh very often.
 const MOST_TRIANGLES: usize = 1 << 26;

@@ -8,9 +8,8 @@ use glam::{DMat2, DVec2, Vec2};
 
 use super::json::{Material, TextureInfo, TextureTransform};
 use super::source::Source;
-use crate::error::SceneError;
 use crate::scene::texture::{Part, read_image};
-use crate::scene::{Draft, Origin, Texture, Wrap};
+use crate::scene::{Draft, Origin, SceneError, Texture, Wrap};
 
 /// Which coordinates a material's triangles keep, and what they are multiplied by before:
 /// [`Texture`] cannot turn an image.

@@ -6,8 +6,9 @@ use glam::{DAffine3, DVec3};
 
 use super::json::{Light, Node};
 use super::source::Source;
-use crate::error::SceneError;
-use crate::scene::{Draft, DraftCamera, DraftSpot, FovAxis, Origin, Warning, bare, draft};
+use crate::scene::{
+    Draft, DraftCamera, DraftSpot, FovAxis, Origin, SceneError, Warning, bare, normalise,
+};
 
 /// The least and the greatest width over height of an image that a camera asks for.
 const ASPECTS: [f64; 2] = [0.125, 64.0];
@@ -92,7 +93,7 @@ impl View {
         let name = name.clone().unwrap_or_else(|| index.to_string());
         let color = color.map_or(DVec3::ONE, DVec3::from_array);
         let power = color * intensity.unwrap_or(1.0);
-        if !draft::is_power(power) {
+        if !normalise::is_power(power) {
             let what = format!("light `{name}`: its intensity is negative, or beyond f32");
             return Err(source.fault(what + "; give one of 0 or more"));
         }

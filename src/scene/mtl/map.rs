@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec2;
 
-use super::Statement;
-use crate::error::SceneError;
-use crate::scene::{Texture, Wrap};
+use super::statement::Statement;
+use crate::scene::{SceneError, Texture, Wrap};
 
 /// An image, and how it is laid on.
 #[derive(Debug, Clone, PartialEq)]

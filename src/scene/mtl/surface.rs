@@ -5,10 +5,11 @@
 
 use glam::DVec3;
 
-use super::{DEFAULT_ALBEDO, Map, MtlMaterial};
-use crate::error::SceneError;
+use super::map::Map;
+use super::material::MtlMaterial;
+use crate::scene::mesh::DEFAULT_ALBEDO;
 use crate::scene::texture::{Part, read_image};
-use crate::scene::{Draft, DraftMaterial, Finish, Origin, Warning, normalise};
+use crate::scene::{Draft, DraftMaterial, Finish, Origin, SceneError, Warning, normalise};
 
 /// Exponent from which on a highlight is a mirror's.
 const MIRROR_SHININESS: f64 = 1000.0;

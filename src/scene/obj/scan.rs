@@ -8,8 +8,7 @@ use std::path::Path;
 
 use glam::{DVec2, Vec2};
 
-use crate::error::SceneError;
-use crate::scene::Warning;
+use crate::scene::{SceneError, Warning};
 
 /// A name, and the line that first gives it.
 #[derive(Debug, Clone, PartialEq, Eq)]

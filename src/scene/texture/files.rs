@@ -6,9 +6,8 @@ use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use super::decode::{Decoded, Means, decode};
-use super::{Texels, Texture};
-use crate::scene::{Draft, Origin};
+use super::Texels;
+use super::decode::{Decoded, Means};
 
 /// The largest image file that is read, in bytes.
 const MOST_BYTES: u64 = 1 << 30;
@@ -16,15 +15,15 @@ const MOST_BYTES: u64 = 1 << 30;
 /// The images of a draft that were read, by their file and what was taken of it.
 #[derive(Debug, Clone, Default)]
 pub struct ImageFiles {
-    known: HashMap<(PathBuf, Part), Known>,
-    means: HashMap<PathBuf, Option<Means>>,
+    pub(in crate::scene) known: HashMap<(PathBuf, Part), Known>,
+    pub(in crate::scene) means: HashMap<PathBuf, Option<Means>>,
 }
 
 /// An image of a draft, and whether its file has an alpha channel.
 #[derive(Debug, Clone, Copy)]
-struct Known {
-    index: u32,
-    has_alpha: bool,
+pub(in crate::scene) struct Known {
+    pub(in crate::scene) index: u32,
+    pub(in crate::scene) has_alpha: bool,
 }
 
 /// What is taken of an image file.
@@ -37,9 +36,6 @@ pub enum Part {
     /// Alpha, so that values from this one on become one half and more.
     AlphaFrom(u8),
 }
-
-/// The alpha from which on there is a surface, as [`super::Texture`] has it.
-const HALF: u8 = 128;
 
 /// The bytes of an image file.
 ///
@@ -62,90 +58,11 @@ pub fn read_image(path: &Path) -> Result<Cow<'static, [u8]>, String> {
     }
 }
 
-impl Draft {
-    /// The texture of a whole image file, repeated. One that cannot be read is magenta, with a
-    /// warning.
-    pub fn texture_file(&mut self, path: &Path, origin: &Origin) -> u32 {
-        let image = self.image(path, Part::Color, origin, || read_image(path));
-        self.add_texture(Texture::of(image))
-    }
-
-    /// An image of the bytes that `read` gives, if they were not read before under this path.
-    /// One that cannot be read is magenta, with a warning.
-    pub fn image<'a>(
-        &mut self,
-        path: &Path,
-        part: Part,
-        origin: &Origin,
-        read: impl FnOnce() -> Result<Cow<'a, [u8]>, String>,
-    ) -> u32 {
-        let part = if part == Part::AlphaFrom(HALF) { Part::Color } else { part };
-        let key = |part| (path.to_owned(), part);
-        if let Some(known) = self.image_files.known.get(&key(part)) {
-            return known.index;
-        }
-        let name = path.display().to_string();
-        let color = self.image_files.known.get(&key(Part::Color)).copied();
-        let decoded = match color {
-            Some(Known { index, has_alpha }) => {
-                let Texels { size, rgba, .. } = self.images[index as usize].clone();
-                Ok(Decoded { size, rgba, has_alpha })
-            }
-            None => read().and_then(|bytes| decode(&bytes, path)),
-        };
-        let known = match (decoded, color) {
-            // Its own alpha is what it is.
-            (Ok(Decoded { has_alpha: true, .. }), Some(color)) if part == Part::Opacity => color,
-            (Ok(decoded), _) => {
-                let has_alpha = decoded.has_alpha;
-                let known = Known { index: self.add_image(part.of(decoded, name)), has_alpha };
-                if has_alpha && part == Part::Opacity {
-                    self.image_files.known.insert(key(Part::Color), known);
-                }
-                known
-            }
-            (Err(what), _) => {
-                let shown = match part {
-                    Part::Color => "magenta is shown",
-                    _ => "nothing is cut out",
-                };
-                self.warnings.push(origin.changed(format!("image {name} {what}; {shown}")));
-                let known = Known { index: self.add_image(Texels::magenta(name)), has_alpha: true };
-                self.image_files.known.insert(key(Part::Color), known);
-                known
-            }
-        };
-        self.image_files.known.insert(key(part), known);
-        known.index
-    }
-
-    /// The mean of such an image; none if it cannot be read, with a warning that ends as told.
-    pub fn image_means<'a>(
-        &mut self,
-        path: &Path,
-        origin: &Origin,
-        otherwise: &str,
-        read: impl FnOnce() -> Result<Cow<'a, [u8]>, String>,
-    ) -> Option<Means> {
-        if let Some(&means) = self.image_files.means.get(path) {
-            return means;
-        }
-        let decoded = read().and_then(|bytes| decode(&bytes, path));
-        let means = match decoded {
-            Ok(decoded) => Some(decoded.means()),
-            Err(what) => {
-                let name = path.display();
-                self.warnings.push(origin.changed(format!("image {name} {what}; {otherwise}")));
-                None
-            }
-        };
-        self.image_files.means.insert(path.to_owned(), means);
-        means
-    }
-}
-
 impl Part {
-    fn of(self, decoded: Decoded, name: String) -> Texels {
+    /// The alpha from which on there is a surface, as [`super::Texture`] has it.
+    pub(in crate::scene) const HALF: u8 = 128;
+
+    pub(in crate::scene) fn of(self, decoded: Decoded, name: String) -> Texels {
         let Decoded { size, mut rgba, has_alpha } = decoded;
         let alpha = |[r, g, b, a]: [u8; 4]| match self {
             Self::Color => a,
@@ -178,7 +95,7 @@ mod tests {
             let decoded = Decoded { size: [16, 16], rgba: rgba.clone(), has_alpha: true };
             let texels = Part::AlphaFrom(least).of(decoded, String::new());
             for (was, is) in rgba.iter().zip(&texels.rgba) {
-                assert_eq!(was[3] >= least, is[3] >= HALF, "{least}: {was:?} {is:?}");
+                assert_eq!(was[3] >= least, is[3] >= Part::HALF, "{least}: {was:?} {is:?}");
             }
         }
     }

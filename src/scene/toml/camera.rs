@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 
-use crate::error::SceneError;
 use crate::scene::document::{Section, Value};
-use crate::scene::{Camera, DraftCamera, FovAxis};
+use crate::scene::{Camera, DraftCamera, FovAxis, SceneError};
 
 const AXES: [(&str, FovAxis); 4] = [
     ("x", FovAxis::X),

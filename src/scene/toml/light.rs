@@ -5,10 +5,10 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use crate::error::SceneError;
 use crate::scene::document::Section;
 use crate::scene::{
-    Draft, DraftMaterial, DraftSphere, DraftSpot, Environment, environment, normalise, polygon,
+    Draft, DraftMaterial, DraftSphere, DraftSpot, Environment, SceneError, environment, normalise,
+    polygon,
 };
 
 /// Sides of the regular polygon that stands for a disk.

@@ -4,9 +4,8 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use crate::error::SceneError;
 use crate::scene::document::{Section, Value};
-use crate::scene::{Draft, DraftMaterial, Finish, normalise};
+use crate::scene::{Draft, DraftMaterial, Finish, SceneError, normalise};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {

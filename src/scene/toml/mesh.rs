@@ -5,10 +5,9 @@ use std::path::Path;
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, EulerRot};
 
-use crate::error::SceneError;
 use crate::scene::document::{Section, Value};
 use crate::scene::mesh::Mesh;
-use crate::scene::{Draft, gltf, obj};
+use crate::scene::{Draft, SceneError, gltf, obj};
 
 /// Least volume that a transform may make of a unit cube, over that of the box with edges
 /// as long: less is rounding.

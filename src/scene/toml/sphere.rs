@@ -3,9 +3,8 @@
 use std::collections::HashMap;
 
 use super::material;
-use crate::error::SceneError;
 use crate::scene::document::Section;
-use crate::scene::{Draft, DraftSphere};
+use crate::scene::{Draft, DraftSphere, SceneError};
 
 /// Reads a sphere.
 pub fn read(

@@ -1,0 +1,30 @@
+//! A material as MTL tells it.
+
+use std::path::PathBuf;
+
+use glam::DVec3;
+
+use super::map::Map;
+
+/// A material as the file gives it; colours are linear.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MtlMaterial {
+    /// Its name.
+    pub name: String,
+    pub(super) file: PathBuf,
+    pub(super) line: usize,
+    pub(super) diffuse: Option<DVec3>,
+    pub(super) specular: DVec3,
+    pub(super) emission: Option<DVec3>,
+    pub(super) shininess: f64,
+    pub(super) dissolve: Option<f64>,
+    pub(super) transparency: f64,
+    pub(super) illumination: f64,
+    pub(super) refraction: Option<f64>,
+    pub(super) transmission: Option<DVec3>,
+    pub(super) diffuse_map: Option<Map>,
+    pub(super) opacity_map: Option<Map>,
+    pub(super) emission_map: Option<Map>,
+    /// Statements of maps that are not shown.
+    pub(super) other_maps: Vec<String>,
+}
