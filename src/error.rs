@@ -2,7 +2,7 @@
 
 use crate::gpu::GpuError;
 pub use crate::image::{ImageError, OutputError};
-use crate::render::SettingsError;
+use crate::render::{RenderError, SettingsError};
 pub use crate::scene::SceneError;
 
 /// Everything that ends a command early.
@@ -50,6 +50,15 @@ impl Error {
             Self::Gpu(_) | Self::Output(_) | Self::Strict(_) | Self::Wrong(_) => 1,
             Self::OverLimit(_) => 4,
             Self::Interrupted(_) => 130,
+        }
+    }
+}
+
+impl From<RenderError> for Error {
+    fn from(error: RenderError) -> Self {
+        match error {
+            RenderError::Settings(refused) => refused.into(),
+            RenderError::Gpu(failed) => failed.into(),
         }
     }
 }

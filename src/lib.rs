@@ -13,36 +13,45 @@
 //!    spheres, materials and textures, lights and a camera, recentred and scaled before they
 //!    become f32.
 //! 2. [`bvh`] builds the bounding volume hierarchy that host and device both traverse.
-//!    The triangles of a small scene are written into its shaders instead: [`render::literals`].
+//!    The triangles of a small scene are written into its shaders instead:
+//!    [`render::kernels::literals`].
 //! 3. [`render::Plan`] tells what programs a scene needs. With it, [`render::Prepared`] holds
-//!    what is done once: hierarchy, lights, device
-//!    ([`gpu::Gpu`]), kernels and the buffers of the scene. [`render::frame`] does the rest:
-//! 4. **VPLs**: the host traces light paths; each hit deposits a virtual point light.
-//! 5. **Visible points**: camera rays, for each sample of every pixel of a tile; they go on at
-//!    mirrors and glass.
-//! 6. **Direct light**: shadow rays to point, spot and directional lights, to samples of area
-//!    lights and of the environment.
-//! 7. **Clusters**, in the methods that use them: [`cluster`] finds visible points, and VPLs,
-//!    that may share visibility. Probes (a few shadow rays from every point) tell where a point
-//!    sees otherwise than its cluster; such points are clustered anew.
-//! 8. **Visibility**: a bit for each row (a visible point, or the representative of a cluster
-//!    of them) and each VPL.
-//! 9. **Shading**: every visible point gathers every VPL that it sees; or one of s² subsets of
-//!    them, which the pixels around it complete.
-//!    The bound on near VPLs takes light away; short paths give it back where the settings ask for
-//!    that: `src/render/compensate.rs`.
-//! 10. **Antialiasing**: where surfaces meet in a pixel, more camera rays weigh the radiance of
-//!     the visible points around.
+//!    what is done once: hierarchy, lights, device ([`gpu::Gpu`]), kernels and the buffers of the
+//!    scene. [`render::frame`] does the rest; `src/render.rs` lists its steps in their order, and
+//!    each step lies in the room of `src/render/` that bears its name, its shaders in the folder
+//!    of `shaders/` of the same name:
+//! 4. **VPLs** (`vpls`): the host traces light paths; each hit deposits a virtual point light.
+//! 5. **Visible points** (`camera`): camera rays, for each sample of every pixel of a tile; they go
+//!    on at mirrors and glass.
+//! 6. **Direct light** (`direct`): shadow rays to point, spot and directional lights, to samples of
+//!    area lights and of the environment. What stages have gathered at visible points (`gather`)
+//!    becomes radiance once a kind of light; combining stochastic light over pixels belongs between.
+//! 7. **Clusters** (`clusters`), in the methods that use them: [`cluster`] finds visible points, and
+//!    VPLs, that may share visibility. Probes (a few shadow rays from every point) tell where a
+//!    point sees otherwise than its cluster; such points are clustered anew.
+//! 8. **Visibility** (`visibility`): a bit for each row (a visible point, or the representative of
+//!    a cluster of them) and each VPL.
+//! 9. **Shading** (`gather`): every visible point gathers every VPL that it sees; or one of s²
+//!    subsets of them, which the pixels around it complete.
+//!    The bound on near VPLs takes light away; bias compensation gives it back by short paths where
+//!    the settings ask for that (`compensation`). `indirect` puts these together.
+//! 10. **Antialiasing** (`camera`): where surfaces meet in a pixel, more camera rays weigh the
+//!     radiance of the visible points around.
 //! 11. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
 //!     and how long it took; [`metrics`] says how far it is from a reference; [`study`] renders
 //!     in many settings and compares; [`extremes`] holds the renderer against what must come out.
+//!
+//! One call of [`render::frame`] is one pass of the whole image with one seed; repeats and studies
+//! are its callers, as whatever accumulates passes is.
 //!
 //! [`render::Method::Path`] goes another way, as a reference for this one: paths from the camera,
 //! in `src/render/path.rs`, share scene, hierarchy and random numbers with it, but no light
 //! transport; bias compensation alone borrows its stages.
 //!
-//! A kernel is an ordered list of the files in `shaders/`, chosen by what the scene and the
-//! settings need; the list is in one place, `src/render/kernels.rs`.
+//! A *program* is an ordered list of the files in `shaders/`, chosen by what the scene and the
+//! settings need ([`render::kernels`] makes them; `src/render/plan/programs.rs` is the one list of
+//! which are needed). Compiled it is a *kernel*, with its buffers a *stage*, and one run of a stage
+//! a *dispatch*. `shaders/README.md` tells what the folders hold.
 //!
 //! # The order of modules
 //!
@@ -50,20 +59,41 @@
 //! by way of a re-export counts as from the file that defines it. `tests/modules` reads this list.
 //!
 //! ```text
-//! message     one line of text, whatever a file is called
-//! sampling    random numbers
-//! gpu         the device: buffers, records, kernels, dispatches
-//! image       images, their files, tone and false colours
-//! metrics     how far an image is from another
-//! scene       scenes, the formats that they are read from
-//! bvh         the hierarchy that rays traverse
-//! cluster     K-means
-//! render      the pipeline
-//! error       the union of all errors, and exit codes
-//! report      what was done, and what the user should know of it
-//! study       error over run time: plans, measurements, tables, plots, the page
-//! extremes    cases at which renderers fail first, and checks of parts
-//! cli         the command line
+//! message                one line of text, whatever a file is called
+//! sampling               random numbers
+//! gpu                    the device: buffers, records, kernels, dispatches
+//! image                  images, their files, tone and false colours
+//! metrics                how far an image is from another
+//! scene                  scenes, the formats that they are read from
+//! bvh                    the hierarchy that rays traverse
+//! cluster                K-means
+//! render::settings       what to render, and how well
+//! render::features       what a scene has, and so what its shaders hold
+//! render::result         what comes of a frame: image, counts, times
+//! render::virtual_light  what points gather: VPLs, or places on light sources
+//! render::materials      what rays hit on the host, and how light goes on there
+//! render::lights         light sources as tables to draw from
+//! render::kernels        which shader files make which program
+//! render::plan           a scene without a device: what programs it needs
+//! render::prepared       a scene on a device: what is done once
+//! render::stage          a kernel with its buffers
+//! render::clusters       clusters of visible points and of VPLs
+//! render::vpls           light paths and what they leave
+//! render::camera         tiles, camera rays, the film
+//! render::visibility     shadow rays between points and many lights
+//! render::gather         light of many lights at visible points, combined over pixels
+//! render::direct         light straight from its source
+//! render::path           the path tracer
+//! render::compensation   what the bound on near VPLs took
+//! render::indirect       gathering, interleaving and compensation together
+//! render::frame          tiles and samples in their order
+//! render::picture        the pictures that explain the method
+//! render                 the steps of a frame in their order: read this first
+//! error                  the union of all errors, and exit codes
+//! report                 what was done, and what the user should know of it
+//! study                  error over run time: plans, measurements, tables, plots, the page
+//! extremes               cases at which renderers fail first, and checks of parts
+//! cli                    the command line
 //! ```
 //!
 //! # Example

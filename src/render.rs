@@ -22,7 +22,6 @@ mod virtual_light;
 mod visibility;
 mod vpls;
 
-use crate::gpu::GpuError;
 use crate::scene::Camera;
 
 pub use clusters::VplClusters;
@@ -32,7 +31,7 @@ pub use kernels::all_programs;
 pub use lights::{LightKind, Lights};
 pub use plan::Plan;
 pub use prepared::Prepared;
-pub use result::{Counts, Frame, Phases, Progress};
+pub use result::{Counts, Frame, Phases, Progress, RenderError};
 pub use settings::{
     Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings, SettingsError,
     Sharing,
@@ -49,16 +48,18 @@ use vpls::VplSet;
 /// Renders one frame of a prepared scene.
 ///
 /// # Errors
-/// The device fails or runs out of memory.
+/// The settings are beyond their ranges or do not go together; the device fails or runs out of
+/// memory.
 pub fn frame(
     prepared: &Prepared,
     camera: &Camera,
     settings: &Settings,
     seed: u32,
     progress: Progress<'_>,
-) -> Result<Frame, GpuError> {
+) -> Result<Frame, RenderError> {
+    settings.check()?;
     if settings.method == Method::Path {
-        return PathTracer::new(prepared, camera, settings, seed)?.render(progress);
+        return Ok(PathTracer::new(prepared, camera, settings, seed)?.render(progress)?);
     }
     let mut tally = Tally::default();
 

@@ -4,8 +4,20 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use crate::gpu::PassTime;
+use super::settings::SettingsError;
+use crate::gpu::{GpuError, PassTime};
 use crate::image::Image;
+
+/// Why a frame is not rendered.
+#[derive(Debug, thiserror::Error)]
+pub enum RenderError {
+    /// What is asked for cannot be done.
+    #[error(transparent)]
+    Settings(#[from] SettingsError),
+    /// The device failed, or ran out of memory.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
 
 /// Told about the progress of a frame: the fraction done, in [0, 1], and the phase.
 pub type Progress<'a> = &'a dyn Fn(f64, &'static str);

@@ -5,10 +5,9 @@ use std::time::Instant;
 use serde::{Deserialize, Serialize};
 
 use super::options;
-use crate::gpu::GpuError;
 use crate::image::Image;
 use crate::metrics::Comparison;
-use crate::render::{self, Counts, Frame, Prepared, Settings};
+use crate::render::{self, Counts, Frame, Prepared, RenderError, Settings};
 use crate::report::FrameTimes;
 use crate::scene::Camera;
 
@@ -56,7 +55,7 @@ impl<'a> Bench<'a> {
         &mut self,
         settings: &Settings,
         seed: u32,
-    ) -> Result<(Frame, FrameTimes), GpuError> {
+    ) -> Result<(Frame, FrameTimes), RenderError> {
         self.warm_up(settings)?;
         let (frame, mut times) = self.timed(settings, seed)?;
         for _ in 1..self.frames {
@@ -68,7 +67,7 @@ impl<'a> Bench<'a> {
         Ok((frame, times))
     }
 
-    fn timed(&self, settings: &Settings, seed: u32) -> Result<(Frame, FrameTimes), GpuError> {
+    fn timed(&self, settings: &Settings, seed: u32) -> Result<(Frame, FrameTimes), RenderError> {
         let start = Instant::now();
         let frame = render::frame(self.prepared, &self.camera, settings, seed, &|_, _| {})?;
         let times = FrameTimes::new(start.elapsed(), &frame.phases);
@@ -76,7 +75,7 @@ impl<'a> Bench<'a> {
     }
 
     /// Renders a small frame with settings that are new, so that linking shaders is in no row.
-    fn warm_up(&mut self, settings: &Settings) -> Result<(), GpuError> {
+    fn warm_up(&mut self, settings: &Settings) -> Result<(), RenderError> {
         if self.warm.iter().any(|known| options::same(known, settings)) {
             return Ok(());
         }

@@ -4,9 +4,8 @@ use std::time::Instant;
 
 use super::aov::Aov;
 use crate::cli::console::Progress;
-use crate::gpu::GpuError;
 use crate::image::Image;
-use crate::render::{self, Direct, Frame, Prepared, Settings};
+use crate::render::{self, Direct, Frame, Prepared, RenderError, Settings};
 use crate::report::FrameTimes;
 use crate::scene::Camera;
 
@@ -26,13 +25,13 @@ pub struct Job {
 }
 
 impl Job {
-    fn frame(&self, settings: &Settings) -> Result<Frame, GpuError> {
+    fn frame(&self, settings: &Settings) -> Result<Frame, RenderError> {
         let bar = Progress::new(!self.quiet);
         let progress = |fraction, phase| bar.set(fraction, phase);
         render::frame(&self.prepared, &self.camera, settings, self.seed, &progress)
     }
 
-    fn timed_frame(&self) -> Result<(Frame, FrameTimes), GpuError> {
+    fn timed_frame(&self) -> Result<(Frame, FrameTimes), RenderError> {
         let start = Instant::now();
         let frame = self.frame(&self.settings)?;
         let times = FrameTimes::new(start.elapsed(), &frame.phases);
@@ -44,7 +43,7 @@ impl Job {
     ///
     /// # Errors
     /// The device fails.
-    pub fn repeated(&self, repeat: u32) -> Result<(Frame, Vec<FrameTimes>), GpuError> {
+    pub fn repeated(&self, repeat: u32) -> Result<(Frame, Vec<FrameTimes>), RenderError> {
         let (mut first, cold) = self.timed_frame()?;
         let mut times = vec![cold];
         for _ in 1..repeat {
@@ -59,7 +58,7 @@ impl Job {
     ///
     /// # Errors
     /// The device fails.
-    pub fn aovs(&self, aovs: &[Aov], frame: &Frame) -> Result<Vec<(Aov, Image)>, GpuError> {
+    pub fn aovs(&self, aovs: &[Aov], frame: &Frame) -> Result<Vec<(Aov, Image)>, RenderError> {
         let image = |aov: &Aov| match aov {
             Aov::Of(method) => {
                 // It shows no light, whichever way that comes.
