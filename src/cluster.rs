@@ -30,4 +30,4 @@ mod start;
 pub use fuzzy::fuzzy;
 pub use grid::Grid;
 pub use kmeans::{Options, kmeans};
-pub use points::{Cluster, Clustering, Points};
+pub use points::{Cluster, Clusters, Points};

@@ -94,7 +94,7 @@ pub fn frame(
         }
         _ => {}
     }
-    let passes = prepared.gpu.take_pass_times()?;
+    let dispatches = prepared.gpu.take_dispatch_times()?;
     let Tally { phases, counts } = tally;
-    Ok(Frame { image, standard_error: None, counts, phases, passes })
+    Ok(Frame { image, standard_error: None, counts, phases, dispatches })
 }

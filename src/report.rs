@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use crate::gpu::{AdapterInfo, PassTime};
+use crate::gpu::{AdapterInfo, DispatchTimes};
 use crate::image::Image;
 use crate::render::{self, Bounces, Frame, Prepared, Settings};
 
@@ -122,16 +122,16 @@ pub struct FramePhases {
 
 /// How long a kernel ran on the device, over all its dispatches.
 #[derive(Debug, Clone, Copy, Serialize)]
-#[expect(missing_docs, reason = "as in `gpu::PassTime`")]
+#[expect(missing_docs, reason = "as in `gpu::DispatchTimes`")]
 pub struct KernelTime {
     pub kernel: &'static str,
     pub dispatches: u32,
     pub seconds: f64,
 }
 
-impl From<&PassTime> for KernelTime {
-    fn from(pass: &PassTime) -> Self {
-        let PassTime { label: kernel, dispatches, time } = *pass;
+impl From<&DispatchTimes> for KernelTime {
+    fn from(pass: &DispatchTimes) -> Self {
+        let DispatchTimes { label: kernel, dispatches, time } = *pass;
         Self { kernel, dispatches, seconds: time.as_secs_f64() }
     }
 }
@@ -235,7 +235,7 @@ impl Report {
             seconds: Seconds::default(),
             phases: RunPhases::default(),
             frames: Vec::new(),
-            passes: first.passes.iter().map(KernelTime::from).collect(),
+            passes: first.dispatches.iter().map(KernelTime::from).collect(),
             threads: rayon::current_num_threads(),
             peak_memory_bytes: peak_memory_bytes(),
             clamp: counts.clamp,

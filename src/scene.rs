@@ -37,7 +37,7 @@ pub use draft::{Draft, DraftCamera, DraftMaterial, DraftSphere, DraftSpot, Origi
 pub use environment::{Environment, EnvironmentImage};
 pub use error::SceneError;
 pub use light::{Cone, DirectionalLight, PointLight};
-pub use material::{Finish, Material};
+pub use material::{Bsdf, Material};
 pub use shape::{Sphere, Triangle};
 pub use texture::{ImageFiles, Texels, Texture, Wrap};
 pub use units::Units;

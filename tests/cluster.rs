@@ -5,7 +5,7 @@ mod common;
 use std::time::Instant;
 
 use glam::Vec3;
-use gpu_vpl::cluster::{Clustering, Grid, Options, Points, fuzzy, kmeans};
+use gpu_vpl::cluster::{Clusters, Grid, Options, Points, fuzzy, kmeans};
 use rayon::ThreadPoolBuilder;
 
 use common::Rng;
@@ -30,11 +30,11 @@ fn nearest(
     best
 }
 
-fn centroids(clustering: &Clustering) -> Vec<(Vec3, Vec3)> {
+fn centroids(clustering: &Clusters) -> Vec<(Vec3, Vec3)> {
     clustering.clusters.iter().map(|cluster| (cluster.position, cluster.normal)).collect()
 }
 
-fn inertia(set: &Set, clustering: &Clustering) -> f64 {
+fn inertia(set: &Set, clustering: &Clusters) -> f64 {
     let distance = |(position, &cluster): (&Vec3, &u32)| {
         let mean = clustering.clusters[cluster as usize].position.as_dvec3();
         position.as_dvec3().distance_squared(mean)
@@ -44,7 +44,7 @@ fn inertia(set: &Set, clustering: &Clustering) -> f64 {
 
 /// What holds of every clustering: no cluster is empty, all are of their members, the
 /// representative is the member nearest to the mean, and everything is finite.
-fn check(set: &Set, clustering: &Clustering) {
+fn check(set: &Set, clustering: &Clusters) {
     let count = set.positions.len();
     assert_eq!(clustering.assignment.len(), count);
     let mut members = vec![Vec::new(); clustering.clusters.len()];
@@ -203,7 +203,7 @@ fn enough_clusters_leave_every_distinct_point_alone() {
 fn no_points_give_no_clusters() {
     let none = Points { positions: &[], normals: &[] };
     let clustering = kmeans(&none, &OPTIONS);
-    assert_eq!(clustering, Clustering::default());
+    assert_eq!(clustering, Clusters::default());
     assert_eq!(fuzzy(&none, &clustering, 4, 0.5), (vec![], vec![]));
 }
 
@@ -271,7 +271,7 @@ fn fuzzy_weights_are_those_of_the_nearest() {
 
 fn check_fuzzy(
     set: &Set,
-    clustering: &Clustering,
+    clustering: &Clusters,
     point: usize,
     threshold: f32,
     (clusters, weights): (&[u32], &[f32]),

@@ -12,7 +12,7 @@ use glam::{DVec3, Vec3, dvec3};
 use gpu_vpl::gpu::Gpu;
 use gpu_vpl::metrics::largest;
 use gpu_vpl::render::{Bounces, Clamp, Direct, Frame, Method, Prepared, Settings};
-use gpu_vpl::scene::{Environment, Finish, Scene};
+use gpu_vpl::scene::{Bsdf, Environment, Scene};
 
 /// All bounds of interest, in rooms about 2 units wide: one that leaves everything to paths, one
 /// that leaves them half, and the one that is chosen.
@@ -119,7 +119,7 @@ fn glossy_corners_are_those_of_the_path_tracer() {
     let lobes = [(0.25, 3.0), (0.5, 40.0)];
     for (material, (specular, shininess)) in build.draft.materials.iter_mut().zip(lobes) {
         material.albedo *= 0.5;
-        material.finish = Finish::Phong { specular: Vec3::splat(specular), shininess };
+        material.bsdf = Bsdf::Phong { specular: Vec3::splat(specular), shininess };
     }
     let scene = build.scene();
     let bounces = Bounces::Finite(2);
@@ -140,12 +140,12 @@ fn glossy_corners_are_those_of_the_path_tracer() {
     }
 }
 
-/// A room of which some surfaces are of another finish, open to a sky, with lights of all kinds.
-fn finishes(finishes: &[Finish]) -> Scene {
+/// A room of which some surfaces are of another BSDF, open to a sky, with lights of all kinds.
+fn bsdfs(bsdfs: &[Bsdf]) -> Scene {
     let mut build = Build::open_room();
-    for (at, finish) in (0..).zip(finishes) {
-        let albedo = if finish.is_specular() { [0.0; 3] } else { [0.3, 0.4, 0.2] };
-        let own = build.finished(albedo, *finish);
+    for (at, bsdf) in (0..).zip(bsdfs) {
+        let albedo = if bsdf.is_specular() { [0.0; 3] } else { [0.3, 0.4, 0.2] };
+        let own = build.finished(albedo, *bsdf);
         let low = dvec3(-0.8 + 0.6 * f64::from(at), -0.7, -0.95);
         build.cuboid(own, low, low + dvec3(0.4, 0.4, 0.9), false);
     }
@@ -158,7 +158,7 @@ fn finishes(finishes: &[Finish]) -> Scene {
     let shining = build.material([0.2; 3], [3.0, 2.0, 6.0], false);
     build.sphere(shining, dvec3(0.75, -0.2, -0.75), 0.12);
     // Paths from the camera do not find lights without extent in mirrors or through glass.
-    if !finishes.iter().any(|finish| finish.is_specular()) {
+    if !bsdfs.iter().any(|bsdf| bsdf.is_specular()) {
         let down = dvec3(0.1, 0.2, -1.0);
         build.point_light(dvec3(0.1, -0.9, 0.7), [0.4, 0.5, 0.6]);
         build.spot_light(dvec3(-0.5, 0.0, 0.8), down, [3.0, 2.0, 1.0], [20.0, 35.0]);
@@ -174,9 +174,9 @@ fn finishes(finishes: &[Finish]) -> Scene {
 /// where mirrors and glass take a part of it away.
 #[test]
 fn every_finish_and_light_is_given_back() {
-    let phong = |specular, shininess| Finish::Phong { specular: Vec3::splat(specular), shininess };
-    let mirror = Finish::Mirror { specular: Vec3::splat(0.9) };
-    let glass = Finish::Glass { specular: Vec3::ONE, ior: 1.5 };
+    let phong = |specular, shininess| Bsdf::Phong { specular: Vec3::splat(specular), shininess };
+    let mirror = Bsdf::Mirror { specular: Vec3::splat(0.9) };
+    let glass = Bsdf::Glass { specular: Vec3::ONE, ior: 1.5 };
     let cases = [
         ("lights", vec![]),
         ("phong", vec![phong(0.5, 1.0), phong(0.6, 8.0), phong(0.5, 30.0)]),
@@ -184,8 +184,8 @@ fn every_finish_and_light_is_given_back() {
         ("glass", vec![glass]),
         ("all", vec![mirror, phong(0.5, 10.0), glass]),
     ];
-    for (name, finish) in cases {
-        let scene = finishes(&finish);
+    for (name, bsdf) in cases {
+        let scene = bsdfs(&bsdf);
         let bounces = Bounces::Finite(2);
         let common = Settings {
             direct: Direct::Off,
@@ -238,7 +238,7 @@ fn indirect(scene: &Scene, settings: &Settings) -> ([f64; 3], [f64; 3]) {
 #[test]
 fn no_image_is_darker_for_it() {
     let mut build = Build::open_room();
-    let mirror = build.finished([0.0; 3], Finish::Mirror { specular: Vec3::splat(0.9) });
+    let mirror = build.finished([0.0; 3], Bsdf::Mirror { specular: Vec3::splat(0.9) });
     build.cuboid(mirror, dvec3(0.45, 0.1, -0.95), dvec3(0.98, 0.8, -0.9), false);
     build.spot_light(dvec3(0.0, -0.6, 0.4), dvec3(0.765, 1.07, -1.3), [3.0; 3], [4.0, 6.0]);
     build.draft.camera.as_mut().unwrap().size = [24, 24];

@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 use std::mem::offset_of;
 
 use gpu_vpl::gpu::{
-    AreaLightRecord, ArrivalRecord, CameraParams, CompensatedParams, DirectParams,
-    DirectionalLightRecord, ExpandParams, FinishRecord, GlossyVplRecord, InterleaveParams,
-    MaterialRecord, NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord,
-    ShadeParams, SphereLightRecord, SpotLightRecord, StartParams, TextureRecord, TriangleRecord,
+    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DirectParams,
+    DirectionalLightRecord, ExpandParams, GlossyVplRecord, InterleaveParams, MaterialRecord,
+    NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams,
+    SphereLightRecord, SpotLightRecord, StartParams, TextureRecord, TriangleRecord,
     VisibilityParams, VplRecord,
 };
 use gpu_vpl::render::all_programs;
@@ -86,7 +86,7 @@ fn records() -> Vec<Record> {
         record!(MaterialRecord as "Material" { albedo, two_sided, emission, pad }),
         record!(PointRecord as "Point" { position, surface, normal, depth }),
         record!(VplRecord as "Vpl" { position, pad0, normal, pad1, intensity, mean }),
-        record!(FinishRecord as "Finish" { specular, kind, parameter, lobe_probability, pad }),
+        record!(BsdfRecord as "Bsdf" { specular, kind, parameter, lobe_probability, pad }),
         record!(GlossyVplRecord as "GlossyVpl" {
             position, shininess, normal, peak, intensity, mean, specular, specular_mean, mirrored,
             pad,

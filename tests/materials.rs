@@ -7,19 +7,19 @@ mod common;
 use common::{Build, mean, open_gpu, render_scene};
 use glam::{DVec3, Vec3, dvec3};
 use gpu_vpl::render::{Bounces, Clamp, Direct, Method, Prepared, Settings};
-use gpu_vpl::scene::Finish;
+use gpu_vpl::scene::Bsdf;
 
-fn phong(specular: f32, shininess: f32) -> Finish {
-    Finish::Phong { specular: Vec3::splat(specular), shininess }
+fn phong(specular: f32, shininess: f32) -> Bsdf {
+    Bsdf::Phong { specular: Vec3::splat(specular), shininess }
 }
 
-const CLEAR: Finish = Finish::Glass { specular: Vec3::ONE, ior: 1.5 };
+const CLEAR: Bsdf = Bsdf::Glass { specular: Vec3::ONE, ior: 1.5 };
 
 /// A closed box of light without reflection, with a cube of some material in it.
-fn box_of_light(finish: Finish, camera: DVec3, direction: DVec3) -> Build {
+fn box_of_light(bsdf: Bsdf, camera: DVec3, direction: DVec3) -> Build {
     let mut build = Build::new();
     let wall = build.material([0.0; 3], [1.0, 2.0, 3.0], false);
-    let inside = build.finished([0.0; 3], finish);
+    let inside = build.finished([0.0; 3], bsdf);
     build.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
     build.cuboid(inside, DVec3::splat(-0.3), DVec3::splat(0.3), false);
     build.camera(camera, direction, 60.0, [32, 32]);
@@ -36,12 +36,12 @@ fn assert_even(pixels: &[[f32; 3]], expected: [f32; 3], tolerance: f32) {
 
 #[test]
 fn mirrors_and_glass_show_all_of_an_even_light() {
-    let mirror = Finish::Mirror { specular: Vec3::ONE };
-    for finish in [mirror, CLEAR] {
+    let mirror = Bsdf::Mirror { specular: Vec3::ONE };
+    for bsdf in [mirror, CLEAR] {
         for method in [Method::Path, Method::Direct, Method::Vpl, Method::Both] {
             for samples in [1, 16, 32] {
                 let settings = Settings { samples, light_paths: 100, ..Settings::of(method) };
-                let build = box_of_light(finish, dvec3(-0.8, -0.7, 0.5), dvec3(0.8, 0.7, -0.5));
+                let build = box_of_light(bsdf, dvec3(-0.8, -0.7, 0.5), dvec3(0.8, 0.7, -0.5));
                 let frame = build.render(&settings);
                 // Paths that are caught in the cube are lost: of glass about 1e-4 of them.
                 assert_even(&frame.image.pixels, [1.0, 2.0, 3.0], 1e-4);
@@ -197,7 +197,7 @@ fn light_paths_go_on_at_mirrors() {
         let wall = build.material([0.5; 3], [0.0; 3], false);
         build.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
         if with_mirror {
-            let mirror = build.finished([0.0; 3], Finish::Mirror { specular: Vec3::ONE });
+            let mirror = build.finished([0.0; 3], Bsdf::Mirror { specular: Vec3::ONE });
             let corner = |x: f64, y: f64| dvec3(x, y, -0.999);
             let quad = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
             build.polygon(mirror, &quad);
@@ -227,8 +227,8 @@ fn light_paths_go_on_at_mirrors() {
 fn paths_find_all_light_that_mirrors_turn() {
     let mut build = Build::new();
     let wall = build.material([0.0; 3], [1.0, 2.0, 3.0], false);
-    let mirror = build.finished([0.0; 3], Finish::Mirror { specular: Vec3::ONE });
-    let block = build.finished([0.6; 3], Finish::Diffuse);
+    let mirror = build.finished([0.0; 3], Bsdf::Mirror { specular: Vec3::ONE });
+    let block = build.finished([0.6; 3], Bsdf::Diffuse);
     build.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
     build.cuboid(block, dvec3(-0.2, -0.9, -0.9), dvec3(0.2, 0.9, 0.0), false);
     build.cuboid(mirror, dvec3(-0.6, -0.9, -0.9), dvec3(-0.4, 0.9, 0.6), false);

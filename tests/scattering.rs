@@ -10,34 +10,34 @@ use std::f64::consts::{PI, TAU};
 use bytemuck::{Pod, Zeroable};
 use common::{Rng, open_gpu};
 use glam::Vec3;
-use gpu_vpl::gpu::{Module, Pass, Program};
+use gpu_vpl::gpu::{Dispatch, Module, Program};
 use gpu_vpl::render::kernels::catalogue::{
     BSDF, GATHERED_PHONG, GLASS, HEMISPHERE, LOBE_ENERGY, LOBES_PHONG, MIRROR, PHONG,
     SAMPLE_SPECULAR_EITHER, SCATTER_PHONG, SPECULAR_SAMPLE, TYPES, VIEW_DIRECTION,
 };
 use gpu_vpl::render::materials::bsdf::{
-    ShadingPoint, TransportMode, finish_record, fresnel, lobe_probability, sample_specular,
+    ShadingPoint, TransportMode, bsdf_record, fresnel, lobe_probability, sample_specular,
 };
 use gpu_vpl::sampling::{cosine_hemisphere, uniform_sphere};
-use gpu_vpl::scene::{Finish, Material};
+use gpu_vpl::scene::{Bsdf, Material};
 
-fn material(albedo: f32, finish: Finish) -> Material {
-    Material { albedo: Vec3::splat(albedo), finish, ..Material::default() }
+fn material(albedo: f32, bsdf: Bsdf) -> Material {
+    Material { albedo: Vec3::splat(albedo), bsdf, ..Material::default() }
 }
 
-fn phong(specular: f32, shininess: f32) -> Finish {
-    Finish::Phong { specular: Vec3::splat(specular), shininess }
+fn phong(specular: f32, shininess: f32) -> Bsdf {
+    Bsdf::Phong { specular: Vec3::splat(specular), shininess }
 }
 
-fn place(albedo: f32, finish: Finish) -> ShadingPoint {
-    let lobe_probability = lobe_probability(&material(albedo, finish));
-    ShadingPoint { normal: Vec3::Z, albedo: Vec3::splat(albedo), finish, lobe_probability }
+fn place(albedo: f32, bsdf: Bsdf) -> ShadingPoint {
+    let lobe_probability = lobe_probability(&material(albedo, bsdf));
+    ShadingPoint { normal: Vec3::Z, albedo: Vec3::splat(albedo), bsdf, lobe_probability }
 }
 
 /// The BSDFs with a density, from dull to sharp.
 fn places() -> Vec<ShadingPoint> {
     vec![
-        place(0.7, Finish::Diffuse),
+        place(0.7, Bsdf::Diffuse),
         place(0.3, phong(0.5, 0.0)),
         place(0.3, phong(0.5, 8.0)),
         place(0.0, phong(1.0, 60.0)),
@@ -82,8 +82,8 @@ fn reflectance(place: &ShadingPoint, view: Vec3) -> f64 {
 #[test]
 fn no_brdf_reflects_more_than_it_gets() {
     for place in places() {
-        let specular = match place.finish {
-            Finish::Phong { specular, .. } => specular.x,
+        let specular = match place.bsdf {
+            Bsdf::Phong { specular, .. } => specular.x,
             _ => 0.0,
         };
         let most = f64::from(place.albedo.x + specular);
@@ -94,7 +94,7 @@ fn no_brdf_reflects_more_than_it_gets() {
             let view = Vec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
             let got = reflectance(&place, view);
             assert!(got <= most * 1.002, "{place:?} at {cosine}: {got} of {most}");
-            if place.finish == Finish::Diffuse {
+            if place.bsdf == Bsdf::Diffuse {
                 assert!((got / most - 1.0).abs() < 1e-5);
             }
         }
@@ -109,7 +109,7 @@ fn glass_and_mirrors_lose_nothing() {
             let cosine = (i as f32 + 0.5) / 200.0;
             let direction = -Vec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
             for front in [false, true] {
-                let glass = Finish::Glass { specular: Vec3::ONE, ior };
+                let glass = Bsdf::Glass { specular: Vec3::ONE, ior };
                 let eta = if front { ior } else { 1.0 / ior };
                 let reflected = fresnel(cosine, eta);
                 assert!((0.0..=1.0).contains(&reflected));
@@ -136,7 +136,7 @@ fn glass_and_mirrors_lose_nothing() {
             }
         }
     }
-    let mirror = Finish::Mirror { specular: Vec3::splat(0.9) };
+    let mirror = Bsdf::Mirror { specular: Vec3::splat(0.9) };
     let direction = Vec3::new(0.6, 0.0, -0.8);
     let sample =
         sample_specular(&mirror, normal, true, direction, 0.5, TransportMode::Radiance).unwrap();
@@ -199,7 +199,7 @@ fn chi_squared(place: &ShadingPoint, view: Vec3) -> (f64, f64) {
 fn directions_are_drawn_with_their_density() {
     for place in places() {
         // A lobe of 400 is narrower than a cell, whose integral is then poor.
-        if matches!(place.finish, Finish::Phong { shininess, .. } if shininess > 100.0) {
+        if matches!(place.bsdf, Bsdf::Phong { shininess, .. } if shininess > 100.0) {
             continue;
         }
         for cosine in [1.0f32, 0.7, 0.3] {
@@ -274,14 +274,14 @@ fn the_device_scatters_as_the_host() {
         &MAIN,
     ];
     let materials: Vec<Material> = [
-        (0.7, Finish::Diffuse),
+        (0.7, Bsdf::Diffuse),
         (0.3, phong(0.5, 0.0)),
         (0.2, phong(0.5, 20.0)),
         (0.0, phong(0.9, 300.0)),
-        (0.0, Finish::Mirror { specular: Vec3::splat(0.8) }),
-        (0.0, Finish::Glass { specular: Vec3::splat(0.9), ior: 1.5 }),
+        (0.0, Bsdf::Mirror { specular: Vec3::splat(0.8) }),
+        (0.0, Bsdf::Glass { specular: Vec3::splat(0.9), ior: 1.5 }),
     ]
-    .map(|(albedo, finish)| material(albedo, finish))
+    .map(|(albedo, bsdf)| material(albedo, bsdf))
     .into();
     let mut random = Rng(5);
     let queries: Vec<Query> = (0..6000)
@@ -305,14 +305,14 @@ fn the_device_scatters_as_the_host() {
         .collect();
     let gpu = open_gpu();
     let kernel = gpu.compile(&Program::new("scattering", modules)).unwrap();
-    let finishes: Vec<_> = materials.iter().map(finish_record).collect();
-    let finishes = gpu.storage_of("finishes", &finishes).unwrap();
+    let bsdfs: Vec<_> = materials.iter().map(bsdf_record).collect();
+    let bsdfs = gpu.storage_of("bsdfs", &bsdfs).unwrap();
     let asked = gpu.storage_of("queries", &queries).unwrap();
     let answers = gpu.storage::<Answer>("answers", queries.len()).unwrap();
-    let buffers = [("finishes", &finishes), ("queries", &asked), ("answers", &answers)];
+    let buffers = [("bsdfs", &bsdfs), ("queries", &asked), ("answers", &answers)];
     let bindings = gpu.bind(&kernel, &buffers).unwrap();
     let workgroups = [queries.len().div_ceil(64) as u32, 1];
-    gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
+    gpu.run(&[Dispatch { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
     let answers: Vec<Answer> = gpu.read(&answers, queries.len()).unwrap();
     for (query, answer) in queries.iter().zip(&answers) {
         let material = &materials[(query.surface & !(1 << 31)) as usize];
@@ -322,13 +322,13 @@ fn the_device_scatters_as_the_host() {
         let place = ShadingPoint {
             normal,
             albedo: material.albedo,
-            finish: material.finish,
+            bsdf: material.bsdf,
             lobe_probability: lobe_probability(material),
         };
-        if material.finish.is_specular() {
+        if material.bsdf.is_specular() {
             let carried = TransportMode::Radiance;
             let sample =
-                sample_specular(&material.finish, normal, front, direction, query.u, carried)
+                sample_specular(&material.bsdf, normal, front, direction, query.u, carried)
                     .unwrap();
             assert_eq!(answer.side > 0.0, sample.reflected);
             assert!(Vec3::from_array(answer.turned).distance(sample.direction) < 1e-4);
@@ -339,8 +339,8 @@ fn the_device_scatters_as_the_host() {
         let near = |got: f32, expected: f32, of: f32| {
             (got - expected).abs() <= 0.02 * expected.abs() + 1e-3 * of
         };
-        let peak = match material.finish {
-            Finish::Phong { shininess, .. } => shininess + 2.0,
+        let peak = match material.bsdf {
+            Bsdf::Phong { shininess, .. } => shininess + 2.0,
             _ => 1.0,
         };
         let brdf = place.brdf(-direction, toward);

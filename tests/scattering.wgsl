@@ -33,7 +33,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let q = queries[id.x];
     let point = with_view_direction(Point(vec3f(0.0), q.surface, q.normal, 0.0), -q.direction);
     let scattered = scatter(point, q.albedo, vec2f(q.u, q.v));
-    let turned = sample_specular(point, finish_of(point), q.direction, q.u);
+    let turned = sample_specular(point, bsdf_of(point), q.direction, q.u);
     answers[id.x] = Answer(
         brdf(point, q.albedo, q.toward),
         scatter_density(point, q.albedo, q.toward) * max(dot(q.normal, q.toward), 0.0),

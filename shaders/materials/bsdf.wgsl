@@ -1,6 +1,6 @@
 // The parameters of BSDFs beside their diffuse part.
 
-struct Finish {
+struct Bsdf {
     // Phong: k_s; mirror: reflectance; glass: what goes on of the light.
     specular: vec3f,
     kind: u32,
@@ -16,8 +16,8 @@ const PHONG = 1u;
 const MIRROR = 2u;
 const GLASS = 3u;
 
-@group(0) @binding(60) var<storage, read> finishes: array<Finish>;
+@group(0) @binding(60) var<storage, read> bsdfs: array<Bsdf>;
 
-fn finish_of(point: Point) -> Finish {
-    return finishes[point.surface & ~FRONT];
+fn bsdf_of(point: Point) -> Bsdf {
+    return bsdfs[point.surface & ~FRONT];
 }

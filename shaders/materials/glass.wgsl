@@ -13,14 +13,14 @@ fn fresnel(cosine: f32, eta: f32) -> f32 {
 }
 
 // Reflected if u is below Fresnel's reflectance, else refracted.
-fn at_glass(point: Point, finish: Finish, direction: vec3f, u: f32) -> SpecularSample {
+fn at_glass(point: Point, bsdf: Bsdf, direction: vec3f, u: f32) -> SpecularSample {
     let cosine = -dot(direction, point.normal);
-    let eta = select(1.0 / finish.parameter, finish.parameter, (point.surface & FRONT) != 0u);
+    let eta = select(1.0 / bsdf.parameter, bsdf.parameter, (point.surface & FRONT) != 0u);
     if u < fresnel(cosine, eta) {
-        return SpecularSample(normalize(direction + 2.0 * cosine * point.normal), finish.specular, 1.0);
+        return SpecularSample(normalize(direction + 2.0 * cosine * point.normal), bsdf.specular, 1.0);
     }
     let beyond = sqrt(max(1.0 - (1.0 - cosine * cosine) / (eta * eta), 0.0));
     let refracted = normalize(direction / eta + (cosine / eta - beyond) * point.normal);
     // Radiance is denser where light is slower.
-    return SpecularSample(refracted, finish.specular / (eta * eta), -1.0);
+    return SpecularSample(refracted, bsdf.specular / (eta * eta), -1.0);
 }

@@ -10,9 +10,9 @@ struct Receiver {
 
 fn receiver_of(point: Point) -> Receiver {
     if point.surface == NOTHING { return Receiver(point, vec3f(0.0), 0.0, 0.0); }
-    let finish = finish_of(point);
-    let peak = select(0.0, 0.5 * finish.parameter + 1.0, finish.kind == PHONG);
-    return Receiver(point, mirrored_view(point), finish.parameter, peak);
+    let bsdf = bsdf_of(point);
+    let peak = select(0.0, 0.5 * bsdf.parameter + 1.0, bsdf.kind == PHONG);
+    return Receiver(point, mirrored_view(point), bsdf.parameter, peak);
 }
 
 // Light from a unit direction that gives this irradiance.
@@ -22,10 +22,10 @@ fn arriving(point: Point, toward: vec3f, irradiance: vec3f) -> Gathered {
     return Gathered(vec4f(irradiance, 0.0), vec4f(irradiance * gloss, 0.0));
 }
 
-// Phong's reflectance over that of a white diffuse surface; other finishes' are not gathered.
+// Phong's reflectance over that of a white diffuse surface; other bsdfs' are not gathered.
 fn specular_of(point: Point) -> vec3f {
-    let finish = finish_of(point);
-    return select(vec3f(0.0), finish.specular, finish.kind == PHONG);
+    let bsdf = bsdf_of(point);
+    return select(vec3f(0.0), bsdf.specular, bsdf.kind == PHONG);
 }
 
 // The radiance that a point reflects of what it has gathered.

@@ -1,6 +1,6 @@
 // An ideal mirror.
 
-fn at_mirror(point: Point, finish: Finish, direction: vec3f) -> SpecularSample {
+fn at_mirror(point: Point, bsdf: Bsdf, direction: vec3f) -> SpecularSample {
     let cosine = -dot(direction, point.normal);
-    return SpecularSample(normalize(direction + 2.0 * cosine * point.normal), finish.specular, 1.0);
+    return SpecularSample(normalize(direction + 2.0 * cosine * point.normal), bsdf.specular, 1.0);
 }

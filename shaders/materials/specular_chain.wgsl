@@ -33,19 +33,19 @@ fn trace_specular_chain(
     for (var i = 0u; i <= MOST_SPECULAR; i++) {
         let hit = traverse(at, seen.direction, reach, node_count, false, invocation);
         let point = hit_point(hit, seen.direction);
-        let finish = finish_of(point);
-        let goes_on = reach > 0.0 && hit.triangle != NOTHING && finish.kind >= MIRROR;
+        let bsdf = bsdf_of(point);
+        let goes_on = reach > 0.0 && hit.triangle != NOTHING && bsdf.kind >= MIRROR;
         if reach > 0.0 { seen.hit = hit; }
         if goes_on {
             let u = scrambled(number, hash(stream ^ hash(i + 1u))).x;
-            let sampled = sample_specular(point, finish, seen.direction, u);
+            let sampled = sample_specular(point, bsdf, seen.direction, u);
             let back = ray_offset(point, seen.direction, offset);
             let through = ray_offset_through(point, seen.direction, offset);
             at = point.position + select(through, back, sampled.side > 0.0);
             seen.direction = sampled.direction;
             seen.throughput *= sampled.weight;
             seen.specular = true;
-            seen.chosen = seen.chosen || finish.kind == GLASS;
+            seen.chosen = seen.chosen || bsdf.kind == GLASS;
             // What is met is not what is seen.
             seen.hit.triangle = NOTHING;
             if i == MOST_SPECULAR { seen.throughput = vec3f(0.0); }

@@ -4,7 +4,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::grid::{Entry, Grid, reach};
-use super::points::{CHUNK, Clustering, Points};
+use super::points::{CHUNK, Clusters, Points};
 use super::scale::Scale;
 
 /// The fuzziness q of the weights w_c = 1 / Σ_k (d_c/d_k)^(2/(q−1)).
@@ -18,7 +18,7 @@ const FUZZINESS: f64 = 2.0;
 /// belongs to that cluster alone: its own if it is on that, else the first.
 pub fn fuzzy(
     points: &Points,
-    clustering: &Clustering,
+    clustering: &Clusters,
     m: u32,
     normal_threshold: f32,
 ) -> (Vec<u32>, Vec<f32>) {

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::assignment::Seen;
 use super::members::Members;
 use super::scale::Scale;
-use super::{Cluster, Clustering, Grid, Points, start};
+use super::{Cluster, Clusters, Grid, Points, start};
 
 /// What is asked of [`kmeans()`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,9 +23,9 @@ pub struct Options {
 }
 
 /// Clusters points by position and normal.
-pub fn kmeans(points: &Points, options: &Options) -> Clustering {
+pub fn kmeans(points: &Points, options: &Options) -> Clusters {
     if points.positions.is_empty() {
-        return Clustering::default();
+        return Clusters::default();
     }
     // A gate that no two directions pass leaves every point alone, as do enough clusters.
     let threshold = options.normal_threshold;
@@ -69,7 +69,7 @@ fn finish(
     members: &Members,
     scale: Scale,
     iterations: u32,
-) -> Clustering {
+) -> Clusters {
     let all: Vec<_> = (0..members.clusters())
         .into_par_iter()
         .with_min_len(16)
@@ -87,5 +87,5 @@ fn finish(
     if clusters.len() < names.len() {
         assignment.par_iter_mut().for_each(|index| *index = names[*index as usize]);
     }
-    Clustering { clusters, assignment, iterations }
+    Clusters { clusters, assignment, iterations }
 }

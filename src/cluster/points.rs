@@ -32,7 +32,7 @@ pub struct Cluster {
 
 /// Points in clusters.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Clustering {
+pub struct Clusters {
     /// The clusters, none of them empty.
     pub clusters: Vec<Cluster>,
     /// The index of its cluster, for each point.

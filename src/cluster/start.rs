@@ -6,13 +6,13 @@ use std::collections::hash_map::Entry;
 
 use super::Grid;
 use super::assignment::Seen;
-use super::points::{Centroid, Cluster, Clustering, NONE, Points};
+use super::points::{Centroid, Cluster, Clusters, NONE, Points};
 
 /// Every distinct point as a cluster, in the order in which they first come, unless there
 /// are more than so many.
-pub(super) fn distinct(points: &Points, most: usize) -> Option<Clustering> {
+pub(super) fn distinct(points: &Points, most: usize) -> Option<Clusters> {
     let mut names = HashMap::with_capacity(most.min(points.positions.len()));
-    let mut all = Clustering::default();
+    let mut all = Clusters::default();
     for (index, (&position, &normal)) in points.positions.iter().zip(points.normals).enumerate() {
         // Adding 0 makes −0 the same as 0.
         let key = [position.to_array(), normal.to_array()].map(|v| v.map(|x| (x + 0.0).to_bits()));

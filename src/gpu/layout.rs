@@ -14,5 +14,5 @@ pub use params::{
     PathParams, PathRecord, PathSum, ShadeParams, StartParams, VisibilityParams,
 };
 pub use scene::{
-    FinishRecord, MaterialRecord, NodeRecord, PointRecord, TextureRecord, TriangleRecord,
+    BsdfRecord, MaterialRecord, NodeRecord, PointRecord, TextureRecord, TriangleRecord,
 };

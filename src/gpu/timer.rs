@@ -3,12 +3,12 @@
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// Passes between two read-backs; a query set holds at most 4096 timestamps.
+/// Dispatches between two read-backs; a query set holds at most 4096 timestamps.
 const SLOTS: u32 = 1024;
 
 /// Time that a kernel ran on the device, over all its dispatches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PassTime {
+pub struct DispatchTimes {
     /// The kernel.
     pub label: &'static str,
     /// How often it was dispatched.
@@ -17,7 +17,7 @@ pub struct PassTime {
     pub time: Duration,
 }
 
-/// Collects timestamps pass by pass.
+/// Collects timestamps dispatch by dispatch.
 #[derive(Debug)]
 pub(super) struct Timer {
     pub(super) queries: wgpu::QuerySet,
@@ -27,9 +27,9 @@ pub(super) struct Timer {
 
 #[derive(Debug, Default)]
 pub(super) struct State {
-    /// What has run since the last read-back; a pass has two timestamps.
+    /// What has run since the last read-back; a dispatch has two timestamps.
     pub(super) waiting: Vec<&'static str>,
-    pub(super) times: Vec<PassTime>,
+    pub(super) times: Vec<DispatchTimes>,
 }
 
 impl Timer {
@@ -50,7 +50,7 @@ impl Timer {
         }
     }
 
-    /// The slots of the next pass; none if they are all waiting to be read.
+    /// The slots of the next dispatch; none if they are all waiting to be read.
     pub(super) fn writes(
         &self,
         label: &'static str,

@@ -1,6 +1,6 @@
 //! What a scene has, and so what its shaders hold: the one place that decides what is left out.
 
-use crate::scene::{Finish, Material, Scene, Sphere};
+use crate::scene::{Bsdf, Material, Scene, Sphere};
 
 /// Features of a scene beside plain diffuse triangles. What is not there is not linked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -28,7 +28,7 @@ pub struct Features {
 impl Features {
     /// Those of a scene.
     pub fn of(scene: &Scene) -> Self {
-        let any = |is: &dyn Fn(Finish) -> bool| scene.materials.iter().any(|m| is(m.finish));
+        let any = |is: &dyn Fn(Bsdf) -> bool| scene.materials.iter().any(|m| is(m.bsdf));
         let emits = |sphere: &Sphere| scene.materials[sphere.material as usize].emits();
         let emission_textures =
             |m: &&Material| m.emits() && m.emission_texture.or(m.cutout).is_some();
@@ -38,15 +38,15 @@ impl Features {
             cutouts: scene.materials.iter().any(|material| material.cutout.is_some()),
             textures: scene.materials.iter().any(|material| material.texture.is_some()),
             emission_textures: scene.materials.iter().filter(emission_textures).count() > 0,
-            phong: any(&|finish| matches!(finish, Finish::Phong { .. })),
-            mirror: any(&|finish| matches!(finish, Finish::Mirror { .. })),
-            glass: any(&|finish| matches!(finish, Finish::Glass { .. })),
+            phong: any(&|bsdf| matches!(bsdf, Bsdf::Phong { .. })),
+            mirror: any(&|bsdf| matches!(bsdf, Bsdf::Mirror { .. })),
+            glass: any(&|bsdf| matches!(bsdf, Bsdf::Glass { .. })),
             sky: Sky::of(scene),
         }
     }
 
     /// Whether any surface is more than diffuse.
-    pub fn has_finishes(self) -> bool {
+    pub fn has_bsdfs(self) -> bool {
         self.phong || self.specular()
     }
 

@@ -118,8 +118,8 @@ impl<'a> PathTracer<'a> {
         }
         let finite = |pixel: &&[f32; 3]| !pixel.iter().all(|channel| channel.is_finite());
         counts.nonfinite_pixels = image.pixels.iter().filter(finite).count() as u64;
-        let passes = self.prepared.gpu.take_pass_times()?;
-        Ok(Frame { image, standard_error, counts, phases, passes })
+        let dispatches = self.prepared.gpu.take_dispatch_times()?;
+        Ok(Frame { image, standard_error, counts, phases, dispatches })
     }
 
     /// The paths of a wave from the camera to their ends.

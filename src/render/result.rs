@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use super::settings::SettingsError;
-use crate::gpu::{GpuError, PassTime};
+use crate::gpu::{DispatchTimes, GpuError};
 use crate::image::Image;
 
 /// Why a frame is not rendered.
@@ -110,5 +110,5 @@ pub struct Frame {
     /// How long each phase took, by the wall clock.
     pub phases: Phases,
     /// How long each kernel ran, by the device's clock; empty where it has none.
-    pub passes: Vec<PassTime>,
+    pub dispatches: Vec<DispatchTimes>,
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::prepared::Prepared;
-use crate::gpu::{Bindings, CameraParams, GpuError, Kernel, Pass, Program};
+use crate::gpu::{Bindings, CameraParams, Dispatch, GpuError, Kernel, Program};
 
 /// A buffer and the name by which shaders know it.
 pub type Named<'a> = (&'a str, &'a wgpu::Buffer);
@@ -49,6 +49,6 @@ impl Stage {
             prepared.gpu.write(&self.params, std::slice::from_ref(params))?;
         }
         let (kernel, bindings) = (&*self.kernel, &self.bindings);
-        prepared.gpu.run(&[Pass { kernel, bindings, workgroups }])
+        prepared.gpu.run(&[Dispatch { kernel, bindings, workgroups }])
     }
 }

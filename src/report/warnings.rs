@@ -84,12 +84,18 @@ mod tests {
     use super::*;
     use crate::image::Image;
     use crate::render::{Counts, Phases};
-    use crate::scene::{Finish, PointLight};
+    use crate::scene::{Bsdf, PointLight};
 
     fn frame(vpls: u64, pixel: f32) -> Frame {
         let image = Image { width: 2, height: 1, pixels: vec![[0.0; 3], [0.0, pixel, 0.0]] };
         let counts = Counts { vpls, ..Counts::default() };
-        Frame { image, standard_error: None, counts, phases: Phases::default(), passes: Vec::new() }
+        Frame {
+            image,
+            standard_error: None,
+            counts,
+            phases: Phases::default(),
+            dispatches: Vec::new(),
+        }
     }
 
     fn messages(frame: &Frame, settings: &Settings) -> Vec<String> {
@@ -131,7 +137,7 @@ mod tests {
         let mut scene = Scene::load("builtin:cornell").unwrap();
         assert!(vpls.iter().all(|method| told(&scene, *method).is_none()));
 
-        scene.materials[0].finish = Finish::Mirror { specular: glam::Vec3::ONE };
+        scene.materials[0].bsdf = Bsdf::Mirror { specular: glam::Vec3::ONE };
         for method in vpls {
             let message = told(&scene, method).unwrap();
             let ends =

@@ -14,7 +14,7 @@ const FOV: f64 = 45.0;
 /// The size of the image, in pixels, of a file that gives none.
 pub const SIZE: [u32; 2] = [512, 512];
 
-/// Adds a camera and a light where there is none, and finishes the scene.
+/// Adds a camera and a light where there is none, and bsdfs the scene.
 pub fn finish(mut draft: Draft, path: &Path) -> Result<Scene, SceneError> {
     let (center, radius) = bounding_sphere(&draft);
     let camera = draft.camera.get_or_insert_with(|| frame(center, radius, path));

@@ -55,7 +55,7 @@ impl Scene {
 
     /// Whether light meets mirrors or glass.
     pub fn has_specular(&self) -> bool {
-        let specular = |material: u32| self.materials[material as usize].finish.is_specular();
+        let specular = |material: u32| self.materials[material as usize].bsdf.is_specular();
         self.triangles.iter().any(|triangle| specular(triangle.material))
             || self.spheres.iter().any(|sphere| specular(sphere.material))
     }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use glam::{DVec3, Vec2};
 
-use super::{Environment, Finish, FovAxis, ImageFiles, SceneError, Texels, Texture, Warning};
+use super::{Bsdf, Environment, FovAxis, ImageFiles, SceneError, Texels, Texture, Warning};
 use crate::message::location;
 
 /// Triangles, materials, lights and camera as a file gives them. Loaders fill it;
@@ -135,7 +135,7 @@ pub struct DraftMaterial {
     /// The texture whose alpha below one half is no surface.
     pub cutout: Option<u32>,
     /// How it reflects beside its diffuse part.
-    pub finish: Finish,
+    pub bsdf: Bsdf,
     /// Emitted radiance.
     pub emission: DVec3,
     /// The texture that the emission is multiplied by.

@@ -4,7 +4,7 @@
 use glam::{DVec3, Vec2, Vec3};
 
 use super::{
-    Camera, Draft, DraftCamera, DraftMaterial, Finish, Material, Origin, Scene, SceneError, Units,
+    Bsdf, Camera, Draft, DraftCamera, DraftMaterial, Material, Origin, Scene, SceneError, Units,
     normalise,
 };
 
@@ -70,8 +70,8 @@ impl DraftMaterial {
         if !normalise::is_power(self.emission) {
             return Err(fault("emission", self.emission, "a finite radiance of 0 or more"));
         }
-        let finish = self.finish;
-        if let Some(what) = impossible(&finish, normalise::round(self.albedo)) {
+        let bsdf = self.bsdf;
+        if let Some(what) = impossible(&bsdf, normalise::round(self.albedo)) {
             return Err(self.origin.error(format!("material `{}`: {what}", self.name)));
         }
         Ok(Material {
@@ -79,7 +79,7 @@ impl DraftMaterial {
             albedo: normalise::round(self.albedo),
             texture: self.texture,
             cutout: self.cutout,
-            finish,
+            bsdf,
             emission: normalise::round(self.emission),
             emission_texture: self.emission_texture,
             two_sided: self.two_sided,
@@ -87,31 +87,29 @@ impl DraftMaterial {
     }
 }
 
-/// What is wrong with a finish over a diffuse albedo.
-fn impossible(finish: &Finish, albedo: Vec3) -> Option<&'static str> {
+/// What is wrong with a BSDF over a diffuse albedo.
+fn impossible(bsdf: &Bsdf, albedo: Vec3) -> Option<&'static str> {
     /// What the sum of two rounded reflectances may exceed 1 by.
     const ROUNDING: f32 = 1e-5;
     let within = |color: Vec3| color.to_array().iter().all(|c| (0.0..=1.0).contains(c));
-    match *finish {
-        Finish::Diffuse => None,
-        Finish::Phong { specular, .. }
-        | Finish::Mirror { specular }
-        | Finish::Glass { specular, .. }
+    match *bsdf {
+        Bsdf::Diffuse => None,
+        Bsdf::Phong { specular, .. } | Bsdf::Mirror { specular } | Bsdf::Glass { specular, .. }
             if !within(specular) =>
         {
             Some("specular is not within 0 and 1")
         }
         // Light would take no notice of it, but images of the reflectance would.
-        Finish::Mirror { .. } | Finish::Glass { .. } if albedo != Vec3::ZERO => {
+        Bsdf::Mirror { .. } | Bsdf::Glass { .. } if albedo != Vec3::ZERO => {
             Some("mirror and glass have no albedo; make it 0")
         }
-        Finish::Phong { specular, .. } if (specular + albedo).max_element() > 1.0 + ROUNDING => {
+        Bsdf::Phong { specular, .. } if (specular + albedo).max_element() > 1.0 + ROUNDING => {
             Some("albedo and specular together exceed 1; lower one of them")
         }
-        Finish::Phong { shininess, .. } if !(0.0..=1e6).contains(&shininess) => {
+        Bsdf::Phong { shininess, .. } if !(0.0..=1e6).contains(&shininess) => {
             Some("shininess is not within 0 and 1e6")
         }
-        Finish::Glass { ior, .. } if !(0.1..=10.0).contains(&ior) => {
+        Bsdf::Glass { ior, .. } if !(0.1..=10.0).contains(&ior) => {
             Some("ior is not within 0.1 and 10")
         }
         _ => None,

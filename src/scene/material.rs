@@ -4,7 +4,7 @@ use glam::Vec3;
 
 /// How a surface reflects beside its diffuse part.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Finish {
+pub enum Bsdf {
     /// Not at all: the BRDF is ρ / π.
     #[default]
     Diffuse,
@@ -31,7 +31,7 @@ pub enum Finish {
     },
 }
 
-impl Finish {
+impl Bsdf {
     /// Whether light is reflected or refracted into single directions only.
     pub fn is_specular(&self) -> bool {
         matches!(self, Self::Mirror { .. } | Self::Glass { .. })
@@ -43,7 +43,7 @@ impl Finish {
 pub struct Material {
     /// The name it has in the files.
     pub name: String,
-    /// Diffuse reflectance ρ per channel, in [0, 1]; the BRDF is ρ / π, and what its finish adds.
+    /// Diffuse reflectance ρ per channel, in [0, 1]; the BRDF is ρ / π, and what its BSDF adds.
     pub albedo: Vec3,
     /// Index into [`Scene::textures`](super::Scene::textures) of what the albedo is multiplied by.
     pub texture: Option<u32>,
@@ -51,7 +51,7 @@ pub struct Material {
     /// below one half there is no surface.
     pub cutout: Option<u32>,
     /// How it reflects beside its diffuse part.
-    pub finish: Finish,
+    pub bsdf: Bsdf,
     /// Emitted radiance [W sr⁻¹ m⁻²].
     pub emission: Vec3,
     /// Index into [`Scene::textures`](super::Scene::textures) of what the emission is multiplied by.

@@ -3,7 +3,7 @@
 use gpu_vpl::bvh::Bvh;
 use gpu_vpl::extremes::checks::gather::{self as shading, Matrix};
 use gpu_vpl::extremes::checks::trace::World;
-use gpu_vpl::gpu::{Bindings, Gpu, Kernel, Pass, PointRecord, VisibilityParams, VplRecord};
+use gpu_vpl::gpu::{Bindings, Dispatch, Gpu, Kernel, PointRecord, VisibilityParams, VplRecord};
 use gpu_vpl::render::Target;
 use gpu_vpl::render::kernels::{Emitter, Tracing, rays_at_once, visibility};
 use gpu_vpl::sampling::SURFACE_OFFSET;
@@ -46,7 +46,7 @@ pub fn visible(
     vpls: &[VplRecord],
     slices: &[u32],
 ) -> (Vec<u32>, u64) {
-    let pass = VisibilityPass::new(gpu, tracing, bvh, points, vpls);
+    let pass = VisibilityDispatch::new(gpu, tracing, bvh, points, vpls);
     pass.run(slices, rays_at_once(bvh.nodes.len())).expect("all loops come to their end")
 }
 
@@ -57,13 +57,13 @@ pub fn visible_in(
     points: &[PointRecord],
     vpls: &[VplRecord],
 ) -> (Vec<u32>, u64) {
-    let pass = VisibilityPass::in_world(super::gpu(), tracing, world, points, vpls);
+    let pass = VisibilityDispatch::in_world(super::gpu(), tracing, world, points, vpls);
     let words = vpls.len().div_ceil(32) as u32;
     pass.run(&[words], rays_at_once(world.bvh.nodes.len())).expect("all loops come to their end")
 }
 
 /// The visibility pass with its buffers, ready to run.
-pub struct VisibilityPass<'a> {
+pub struct VisibilityDispatch<'a> {
     gpu: &'a Gpu,
     tracing: Tracing,
     kernel: Kernel,
@@ -75,7 +75,7 @@ pub struct VisibilityPass<'a> {
     counts: [usize; 3],
 }
 
-impl<'a> VisibilityPass<'a> {
+impl<'a> VisibilityDispatch<'a> {
     pub fn new(
         gpu: &'a Gpu,
         tracing: Tracing,
@@ -141,7 +141,7 @@ impl<'a> VisibilityPass<'a> {
                 };
                 gpu.write(&self.params, &[record]).unwrap();
                 let groups = workgroups(*points, self.tracing.points() == 4);
-                gpu.run(&[Pass { kernel, bindings, workgroups: [groups, slice] }]).unwrap();
+                gpu.run(&[Dispatch { kernel, bindings, workgroups: [groups, slice] }]).unwrap();
             }
             first_word += slice;
         }

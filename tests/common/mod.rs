@@ -18,7 +18,7 @@ use gpu_vpl::gpu::{AdapterChoice, Gpu};
 use gpu_vpl::metrics::largest;
 use gpu_vpl::render::{self, Frame, Prepared, Settings};
 use gpu_vpl::scene::{
-    Draft, DraftCamera, DraftMaterial, DraftSphere, Finish, FovAxis, Origin, Scene, Texels, Texture,
+    Bsdf, Draft, DraftCamera, DraftMaterial, DraftSphere, FovAxis, Origin, Scene, Texels, Texture,
 };
 
 /// A device of one's own.
@@ -66,9 +66,9 @@ impl Build {
     }
 
     /// A material that does not emit.
-    pub fn finished(&mut self, albedo: [f64; 3], finish: Finish) -> u32 {
+    pub fn finished(&mut self, albedo: [f64; 3], bsdf: Bsdf) -> u32 {
         let index = self.material(albedo, [0.0; 3], false);
-        self.draft.materials[index as usize].finish = finish;
+        self.draft.materials[index as usize].bsdf = bsdf;
         index
     }
 

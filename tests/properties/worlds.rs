@@ -1,7 +1,7 @@
 //! Random rooms, and what is done to all of a scene at once.
 
 use glam::{DMat3, DVec3, Vec3, dvec3};
-use gpu_vpl::scene::{Draft, Finish, Scene};
+use gpu_vpl::scene::{Bsdf, Draft, Scene};
 
 use super::common::{Build, Rng};
 
@@ -15,7 +15,7 @@ pub fn room(seed: u64, lamp: bool) -> Draft {
     let wall = build.material(color(random), [0.0; 3], false);
     let block = build.material(color(random), [0.0; 3], false);
     let specular = Vec3::splat(0.3);
-    let gloss = Finish::Phong { specular, shininess: 1.0 + 30.0 * random.unit() };
+    let gloss = Bsdf::Phong { specular, shininess: 1.0 + 30.0 * random.unit() };
     let glossy = build.finished([0.4, 0.5, 0.3], gloss);
     build.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
     let low = dvec3(-0.5, 0.1, -0.9) + 0.2 * random.cube().as_dvec3();

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 use gpu_vpl::error::SceneError;
-use gpu_vpl::scene::{Finish, Material, Scene};
+use gpu_vpl::scene::{Bsdf, Material, Scene};
 use image::ImageFormat::Png;
 
 use super::pictures::{self, QUARTERS, png};
@@ -48,14 +48,12 @@ fn material(mtl: &str) -> Material {
 
 #[test]
 fn illum_d_ks_and_ns_tell_the_kind() {
-    let phong = |specular: f32, shininess: f32| Finish::Phong {
-        specular: Vec3::splat(specular),
-        shininess,
-    };
-    let mirror = |specular: f32| Finish::Mirror { specular: Vec3::splat(specular) };
-    let glass = |ior: f32| Finish::Glass { specular: Vec3::ONE, ior };
-    for (text, albedo, finish) in [
-        ("Kd 0.5\nKs 0\nNs 50\nillum 2", 0.5, Finish::Diffuse),
+    let phong =
+        |specular: f32, shininess: f32| Bsdf::Phong { specular: Vec3::splat(specular), shininess };
+    let mirror = |specular: f32| Bsdf::Mirror { specular: Vec3::splat(specular) };
+    let glass = |ior: f32| Bsdf::Glass { specular: Vec3::ONE, ior };
+    for (text, albedo, bsdf) in [
+        ("Kd 0.5\nKs 0\nNs 50\nillum 2", 0.5, Bsdf::Diffuse),
         ("Kd 0.5\nKs 0.25\nNs 50", 0.5, phong(0.25, 50.0)),
         ("Kd 0.5\nKs 0.25\nNs 50\nillum 2", 0.5, phong(0.25, 50.0)),
         ("Kd 0.5\nKs 0.25", 0.5, phong(0.25, 0.0)),
@@ -64,23 +62,23 @@ fn illum_d_ks_and_ns_tell_the_kind() {
         ("Ks 0.75\nKe 1\nillum 5", 0.0, mirror(0.75)),
         ("Kd 0.125\nKs 0.75\nillum 5\nNs 1000", 0.0, mirror(0.75)),
         ("Kd 0.125\nKs 0.75\nillum 3\nNs 999", 0.125, phong(0.75, 999.0)),
-        ("Kd 0.5\nKs 0\nillum 3\nNs 2000", 0.5, Finish::Diffuse),
+        ("Kd 0.5\nKs 0\nillum 3\nNs 2000", 0.5, Bsdf::Diffuse),
         ("Kd 0\nKs 1\nillum 7\nNi 1.25", 0.0, glass(1.25)),
         ("Kd 0.5\nillum 4", 0.0, glass(1.5)),
         ("Kd 0.5\nillum 6\nKs 0\nNi 1", 0.0, glass(1.0)),
         ("illum 9\nTf 0 0 0", 0.0, glass(1.5)),
         ("Kd 0.5\nd 0.75", 0.0, glass(1.5)),
         ("Kd 0.5\nTr 0.25", 0.0, glass(1.5)),
-        ("Kd 0.5\nTr 1\nd 1", 0.5, Finish::Diffuse),
-        ("Kd 0.5\nd -halo 1\nNi 1.5\nTf 1 1 1", 0.5, Finish::Diffuse),
+        ("Kd 0.5\nTr 1\nd 1", 0.5, Bsdf::Diffuse),
+        ("Kd 0.5\nd -halo 1\nNi 1.5\nTf 1 1 1", 0.5, Bsdf::Diffuse),
     ] {
         let scene = with(&format!("newmtl m\n{text}\n")).unwrap();
-        let Material { albedo: got, finish: got_finish, .. } = scene.materials[0];
-        assert_eq!((got.to_array(), got_finish), ([albedo; 3], finish), "{text}");
+        let Material { albedo: got, bsdf: got_bsdf, .. } = scene.materials[0];
+        assert_eq!((got.to_array(), got_bsdf), ([albedo; 3], bsdf), "{text}");
         assert!(scene.warnings.iter().all(|w| !w.message.contains("m.mtl")), "{text}");
     }
-    let tinted = Finish::Glass { specular: Vec3::new(0.5, 0.25, 1.0), ior: 1.5 };
-    assert_eq!(material("illum 7\nTf 0.5 0.25 1\n").finish, tinted);
+    let tinted = Bsdf::Glass { specular: Vec3::new(0.5, 0.25, 1.0), ior: 1.5 };
+    assert_eq!(material("illum 7\nTf 0.5 0.25 1\n").bsdf, tinted);
 }
 
 #[test]
@@ -88,23 +86,23 @@ fn what_reflects_too_much_keeps_its_colour() {
     let scaled = |text: &str, warning: &str| {
         let scene = with(&format!("newmtl m\n{text}\n")).unwrap();
         warned(&scene, &format!("m.mtl:1: material `m` {warning}"), true);
-        scene.materials[0].finish
+        scene.materials[0].bsdf
     };
     let half = Vec3::new(0.5, 1.0, 0.0);
     assert_eq!(
         scaled("Kd 0\nKs 1 2 0\nillum 3", "reflects more than it receives (Ks = 2.0000)"),
-        Finish::Mirror { specular: half }
+        Bsdf::Mirror { specular: half }
     );
     assert_eq!(
         scaled("illum 7\nTf 1 2 0", "reflects more than it receives (Tf = 2.0000)"),
-        Finish::Glass { specular: half, ior: 1.5 }
+        Bsdf::Glass { specular: half, ior: 1.5 }
     );
     assert_eq!(
         scaled("Kd 1\nKs 0.5 1 0\nNs 7", "reflects more than it receives (Kd + Ks = 2.0000)"),
-        Finish::Phong { specular: 0.5 * half, shininess: 7.0 }
+        Bsdf::Phong { specular: 0.5 * half, shininess: 7.0 }
     );
     let impossible = scaled("illum 7\nNi 0", "has an impossible Ni of 0, 1.5 is used");
-    assert_eq!(impossible, Finish::Glass { specular: Vec3::ONE, ior: 1.5 });
+    assert_eq!(impossible, Bsdf::Glass { specular: Vec3::ONE, ior: 1.5 });
 }
 
 #[test]
@@ -271,8 +269,8 @@ fn a_map_multiplies_its_colour_and_replaces_black() {
     let scene = mapped("Ks 1\nillum 3\nNs 2000\nmap_Kd a.png");
     assert_eq!(scene.materials[0].texture, None);
     warned(&scene, "has a map_Kd, not shown by mirrors and glass", true);
-    let kind = of("Kd 0\nKs 0.25\nillum 3\nNs 20\nmap_Kd a.png").finish;
-    assert!(matches!(kind, Finish::Phong { .. }), "{kind:?}");
+    let kind = of("Kd 0\nKs 0.25\nillum 3\nNs 20\nmap_Kd a.png").bsdf;
+    assert!(matches!(kind, Bsdf::Phong { .. }), "{kind:?}");
 }
 
 #[test]
@@ -285,7 +283,7 @@ fn map_d_cuts_out_by_alpha_or_luminance() {
     };
     let (own, scene) = alpha("Kd 1\nd 0.5\nmap_Kd a.png\nmap_d a.png");
     assert_eq!((own, scene.images.len()), (vec![255, 200, 100, 0], 1));
-    assert_eq!(scene.materials[0].finish, Finish::Diffuse);
+    assert_eq!(scene.materials[0].bsdf, Bsdf::Diffuse);
     assert_eq!(alpha("Kd 1\nmap_d -imfchan m a.png").0, [255, 200, 100, 0]);
     let (grey, scene) = alpha("Kd 1\nmap_d grey.png\nmap_Kd grey.png");
     assert_eq!((grey, scene.images.len()), (vec![0, 255], 2));

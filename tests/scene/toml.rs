@@ -1,7 +1,7 @@
 //! The scene file.
 
 use glam::Vec3;
-use gpu_vpl::scene::{Finish, FovAxis};
+use gpu_vpl::scene::{Bsdf, FovAxis};
 
 use super::{CAMERA, load, load_more, load_toml, refused};
 
@@ -115,24 +115,24 @@ fn materials_that_cannot_be_are_refused_with_their_line() {
 
 #[test]
 fn materials_of_all_types_are_read() {
-    let finish = |text: &str| {
+    let bsdf = |text: &str| {
         let scene = load_more(&format!("material = \"a\"\n{POINT}[materials.a]\n{text}")).unwrap();
         let material = &scene.materials[scene.triangles[0].material as usize];
-        (material.albedo.to_array(), material.finish)
+        (material.albedo.to_array(), material.bsdf)
     };
     let specular = Vec3::new(0.25, 0.5, 0.125);
     let keys = "specular = [0.25, 0.5, 0.125]\n";
     let phong = format!("type = \"phong\"\nalbedo = [0.5, 0.5, 0.5]\nshininess = 50\n{keys}");
-    assert_eq!(finish(&phong), ([0.5; 3], Finish::Phong { specular, shininess: 50.0 }));
+    assert_eq!(bsdf(&phong), ([0.5; 3], Bsdf::Phong { specular, shininess: 50.0 }));
     let mirror = "type = \"mirror\"\n";
-    assert_eq!(finish(mirror), ([0.0; 3], Finish::Mirror { specular: Vec3::ONE }));
-    assert_eq!(finish(&format!("{mirror}{keys}")), ([0.0; 3], Finish::Mirror { specular }));
+    assert_eq!(bsdf(mirror), ([0.0; 3], Bsdf::Mirror { specular: Vec3::ONE }));
+    assert_eq!(bsdf(&format!("{mirror}{keys}")), ([0.0; 3], Bsdf::Mirror { specular }));
     let glass = "type = \"glass\"\n";
-    assert_eq!(finish(glass), ([0.0; 3], Finish::Glass { specular: Vec3::ONE, ior: 1.5 }));
+    assert_eq!(bsdf(glass), ([0.0; 3], Bsdf::Glass { specular: Vec3::ONE, ior: 1.5 }));
     let dense = format!("{glass}ior = 2.5\n{keys}");
-    assert_eq!(finish(&dense), ([0.0; 3], Finish::Glass { specular, ior: 2.5 }));
+    assert_eq!(bsdf(&dense), ([0.0; 3], Bsdf::Glass { specular, ior: 2.5 }));
     let plain = "type = \"diffuse\"\nalbedo = [1, 1, 1]\n";
-    assert_eq!(finish(plain), ([1.0; 3], Finish::Diffuse));
+    assert_eq!(bsdf(plain), ([1.0; 3], Bsdf::Diffuse));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3, dvec3};
 use gpu_vpl::error::SceneError;
-use gpu_vpl::scene::{Draft, DraftCamera, DraftMaterial, Finish, FovAxis, Origin, Scene};
+use gpu_vpl::scene::{Bsdf, Draft, DraftCamera, DraftMaterial, FovAxis, Origin, Scene};
 
 use super::{refused, warned};
 
@@ -154,8 +154,8 @@ fn values_that_cannot_be_are_refused() {
     refused(with(&|d| d.triangles[3].0[1].y = f64::INFINITY), "draft", "1e100");
     refused(with(&|d| d.materials[1].albedo.x = 1.5), "", "material `white`: albedo");
     refused(with(&|d| d.materials[1].emission.x = f64::NAN), "", "material `white`: emission");
-    let mirror = Finish::Mirror { specular: Vec3::splat(0.5) };
-    refused(with(&|d| d.materials[1].finish = mirror), "", "have no albedo");
+    let mirror = Bsdf::Mirror { specular: Vec3::splat(0.5) };
+    refused(with(&|d| d.materials[1].bsdf = mirror), "", "have no albedo");
     refused(with(&|d| d.exposure = f64::NAN), "draft", "exposure");
 }
 

@@ -1,9 +1,9 @@
-//! Random scenes: shapes of every kind, touching, coincident, flat and tiny; all lights and finishes.
+//! Random scenes: shapes of every kind, touching, coincident, flat and tiny; all lights and bsdfs.
 
 use glam::{DMat3, DVec3, Vec2, dvec3};
 use gpu_vpl::error::SceneError;
 use gpu_vpl::scene::environment::pack;
-use gpu_vpl::scene::{Environment, EnvironmentImage, Finish, Scene, Wrap};
+use gpu_vpl::scene::{Bsdf, Environment, EnvironmentImage, Scene, Wrap};
 
 use super::common::{Build, Rng};
 use super::random::{
@@ -38,23 +38,23 @@ pub fn scene(rng: &mut Rng) -> Result<Scene, SceneError> {
 fn material(rng: &mut Rng, build: &mut Build) -> u32 {
     let emission = if percent(rng, 20) { power(rng) } else { [0.0; 3] };
     let specular = DVec3::from_array(reflectance(rng)).as_vec3();
-    let finish = match rng.below(8) {
-        0 | 1 => Finish::Phong { specular, shininess: magnitude(rng, 1.0, 1e5) as f32 },
-        2 => Finish::Mirror { specular },
-        3 => Finish::Glass { specular, ior: between(rng, 0.1, 3.0) as f32 },
-        _ => Finish::Diffuse,
+    let bsdf = match rng.below(8) {
+        0 | 1 => Bsdf::Phong { specular, shininess: magnitude(rng, 1.0, 1e5) as f32 },
+        2 => Bsdf::Mirror { specular },
+        3 => Bsdf::Glass { specular, ior: between(rng, 0.1, 3.0) as f32 },
+        _ => Bsdf::Diffuse,
     };
-    let left = match finish {
-        Finish::Phong { specular, .. } => (DVec3::ONE - specular.as_dvec3()).max(DVec3::ZERO),
-        Finish::Mirror { .. } | Finish::Glass { .. } => DVec3::ZERO,
-        Finish::Diffuse => DVec3::ONE,
+    let left = match bsdf {
+        Bsdf::Phong { specular, .. } => (DVec3::ONE - specular.as_dvec3()).max(DVec3::ZERO),
+        Bsdf::Mirror { .. } | Bsdf::Glass { .. } => DVec3::ZERO,
+        Bsdf::Diffuse => DVec3::ONE,
     };
     let albedo = (DVec3::from_array(reflectance(rng)) * left).to_array();
     let material = build.material(albedo, emission, percent(rng, 30));
     let mut texture = |rng: &mut Rng| percent(rng, 15).then(|| image(rng, build));
     let textures = [texture(rng), texture(rng), texture(rng)];
     let draft = &mut build.draft.materials[material as usize];
-    draft.finish = finish;
+    draft.bsdf = bsdf;
     [draft.texture, draft.cutout, draft.emission_texture] = textures;
     material
 }

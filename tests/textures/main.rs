@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use common::{Build, Rng, frame, gpu, open_gpu, render_scene};
 use glam::{DVec3, Vec2, Vec3, Vec4, dvec3};
 use gpu_vpl::bvh::Bvh;
-use gpu_vpl::gpu::{Module, Pass, Program};
+use gpu_vpl::gpu::{Dispatch, Module, Program};
 use gpu_vpl::image::Image;
 use gpu_vpl::render::kernels::catalogue::{TEXTURE, TYPES};
 use gpu_vpl::render::prepared::tables;
@@ -80,7 +80,7 @@ fn host_and_device_sample_alike() {
     buffers.extend(tables.iter().map(|(name, buffer)| (*name, buffer)));
     let bindings = gpu().bind(&kernel, &buffers).unwrap();
     let workgroups = [places.len().div_ceil(64) as u32, 1];
-    gpu().run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
+    gpu().run(&[Dispatch { kernel: &kernel, bindings: &bindings, workgroups }]).unwrap();
     let results: Vec<[f32; 4]> = gpu().read(&results, places.len()).unwrap();
     for (&[u, v, index, _], result) in places.iter().zip(results) {
         let texture = scene.textures[index as usize];

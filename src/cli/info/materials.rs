@@ -6,7 +6,7 @@ use glam::Vec3;
 use serde::Serialize;
 
 use super::table::{self, Column};
-use crate::scene::{Finish, Material, Scene, Texture, Wrap};
+use crate::scene::{Bsdf, Material, Scene, Texture, Wrap};
 
 /// How many materials there are of each kind.
 #[derive(Debug, Default, Serialize)]
@@ -56,11 +56,11 @@ pub struct TextureInfo {
 pub fn kinds(scene: &Scene) -> Kinds {
     let mut kinds = Kinds::default();
     for material in &scene.materials {
-        *match material.finish {
-            Finish::Diffuse => &mut kinds.diffuse,
-            Finish::Phong { .. } => &mut kinds.phong,
-            Finish::Mirror { .. } => &mut kinds.mirror,
-            Finish::Glass { .. } => &mut kinds.glass,
+        *match material.bsdf {
+            Bsdf::Diffuse => &mut kinds.diffuse,
+            Bsdf::Phong { .. } => &mut kinds.phong,
+            Bsdf::Mirror { .. } => &mut kinds.mirror,
+            Bsdf::Glass { .. } => &mut kinds.glass,
         } += 1;
     }
     kinds
@@ -83,11 +83,11 @@ fn describe(scene: &Scene, material: &Material, shapes: usize) -> MaterialInfo {
             scene.images[texture.image as usize].name.clone()
         })
     };
-    let (kind, specular, shininess, ior) = match material.finish {
-        Finish::Diffuse => ("diffuse", None, None, None),
-        Finish::Phong { specular, shininess } => ("phong", Some(specular), Some(shininess), None),
-        Finish::Mirror { specular } => ("mirror", Some(specular), None, None),
-        Finish::Glass { specular, ior } => ("glass", Some(specular), None, Some(ior)),
+    let (kind, specular, shininess, ior) = match material.bsdf {
+        Bsdf::Diffuse => ("diffuse", None, None, None),
+        Bsdf::Phong { specular, shininess } => ("phong", Some(specular), Some(shininess), None),
+        Bsdf::Mirror { specular } => ("mirror", Some(specular), None, None),
+        Bsdf::Glass { specular, ior } => ("glass", Some(specular), None, Some(ior)),
     };
     MaterialInfo {
         name: material.name.clone(),

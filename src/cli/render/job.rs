@@ -38,7 +38,7 @@ impl Job {
         Ok((frame, times))
     }
 
-    /// Renders the same frame several times: the first, with the pass times of the last, and the
+    /// Renders the same frame several times: the first, with the times of dispatches of the last, and the
     /// times of all.
     ///
     /// # Errors
@@ -48,7 +48,7 @@ impl Job {
         let mut times = vec![cold];
         for _ in 1..repeat {
             let (frame, warm) = self.timed_frame()?;
-            first.passes = frame.passes;
+            first.dispatches = frame.dispatches;
             times.push(warm);
         }
         Ok((first, times))

@@ -10,7 +10,7 @@ use crate::error::{Error, SceneError};
 use crate::extremes::{Figure, Scale};
 use crate::gpu::Gpu;
 use crate::render::{Bounces, Clamp, Direct, Method, Prepared, Settings};
-use crate::scene::{Finish, Scene};
+use crate::scene::{Bsdf, Scene};
 
 /// Indirect light alone, one sample a pixel, by the pixel's own visibility.
 fn indirect(method: Method, light_paths: u32) -> Settings {
@@ -129,8 +129,8 @@ fn grey_room(specular: f32, shininess: f32, size: [u32; 2]) -> Result<Scene, Sce
     let mut builder = SceneBuilder::at(1.0, DVec3::ZERO);
     let wall = builder.material([0.5; 3], [0.0; 3])?;
     if specular > 0.0 {
-        let finish = Finish::Phong { specular: Vec3::splat(specular), shininess };
-        builder.draft.materials[wall as usize].finish = finish;
+        let bsdf = Bsdf::Phong { specular: Vec3::splat(specular), shininess };
+        builder.draft.materials[wall as usize].bsdf = bsdf;
     }
     builder.cuboid(wall, DVec3::splat(-1.0), DVec3::ONE, true);
     builder.cuboid(wall, dvec3(-0.3, 0.1, -1.0), dvec3(0.4, 0.7, 0.2), false);

@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::builder::room;
 use super::measure::{GATHERING, absolute, at_most, devices, difference, frame_of, none, of};
 use super::random::Rng;
-use crate::cluster::{Clustering as Clusters, Options, Points, fuzzy, kmeans};
+use crate::cluster::{Clusters, Options, Points, fuzzy, kmeans};
 use crate::error::Error;
 use crate::extremes::{Figure, Scale};
 use crate::gpu::Gpu;

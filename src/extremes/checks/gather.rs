@@ -3,7 +3,7 @@
 use bytemuck::Zeroable;
 use glam::Vec3;
 
-use crate::gpu::{Gpu, GpuError, Pass, PointRecord, ShadeParams, VplRecord};
+use crate::gpu::{Dispatch, Gpu, GpuError, PointRecord, ShadeParams, VplRecord};
 use crate::render::Sharing;
 use crate::render::Target;
 use crate::render::kernels::{Emitter, shade};
@@ -108,7 +108,7 @@ fn add(
     let each = if gpu.has_subgroups() { 4 * 64 } else { 64 };
     let workgroups = [points.len().div_ceil(each) as u32, 1];
     for _ in 0..times {
-        gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups }])?;
+        gpu.run(&[Dispatch { kernel: &kernel, bindings: &bindings, workgroups }])?;
     }
     Ok(())
 }

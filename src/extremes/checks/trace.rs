@@ -5,7 +5,7 @@ use std::sync::Arc;
 use bytemuck::{Pod, Zeroable};
 
 use crate::bvh::{Bvh, Ray};
-use crate::gpu::{Gpu, GpuError, Module, Pass, PointRecord, Program};
+use crate::gpu::{Dispatch, Gpu, GpuError, Module, PointRecord, Program};
 use crate::render::Features;
 use crate::render::kernels::catalogue::{
     HIT_TRIANGLES, LITERALS, RAY, SHAPE_TRIANGLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
@@ -153,7 +153,11 @@ fn with(
     let own = [("params", &params), ("rays", &rays_buffer), ("hits", &hits)];
     let buffers: Vec<_> = own.into_iter().chain(world.named()).collect();
     let bindings = gpu.bind(&kernel, &buffers)?;
-    gpu.run(&[Pass { kernel: &kernel, bindings: &bindings, workgroups: [count.div_ceil(64), 1] }])?;
+    gpu.run(&[Dispatch {
+        kernel: &kernel,
+        bindings: &bindings,
+        workgroups: [count.div_ceil(64), 1],
+    }])?;
     gpu.read(&hits, rays.len())
 }
 

@@ -80,7 +80,7 @@ pub struct MaterialRecord {
 /// What a material reflects beside its diffuse part, 32 bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub struct FinishRecord {
+pub struct BsdfRecord {
     /// Of Phong k_s, of mirrors the reflectance, of glass what goes on of the light.
     pub specular: [f32; 3],
     /// 0 diffuse, 1 Phong, 2 mirror, 3 glass.

@@ -206,7 +206,7 @@ mod tests {
     use bytemuck::Zeroable;
 
     use super::*;
-    use crate::gpu::{AdapterChoice, Gpu, Pass};
+    use crate::gpu::{AdapterChoice, Dispatch, Gpu};
     use crate::render::features::Target;
 
     #[test]
@@ -244,7 +244,7 @@ mod tests {
                 [("params", &params_buffer), ("points", &points), ("split_points", &split_points)];
             let bindings = gpu.bind(&split, &buffers).unwrap();
             let workgroups = [params.points.div_ceil(BLOCK), 1];
-            gpu.run(&[Pass { kernel: &split, bindings: &bindings, workgroups }]).unwrap();
+            gpu.run(&[Dispatch { kernel: &split, bindings: &bindings, workgroups }]).unwrap();
             let found: Vec<PointRecord> = gpu.read(&split_points, params.points as usize).unwrap();
             let surfaces: Vec<u32> = records.iter().map(|record| record.surface + 1).collect();
             let expected = subsets.split(&surfaces, 1);
@@ -258,7 +258,8 @@ mod tests {
             let buffers = [&buffers[..2], &[("irradiance", &irradiance)]].concat();
             let own = [("surfaces", &surfaces), ("gathered", &gathered)];
             let bindings = gpu.bind(&join, &[&buffers[..], &own].concat()).unwrap();
-            gpu.run(&[Pass { kernel: &join, bindings: &bindings, workgroups: [15, 1] }]).unwrap();
+            gpu.run(&[Dispatch { kernel: &join, bindings: &bindings, workgroups: [15, 1] }])
+                .unwrap();
             let gathered: Vec<[f32; 4]> = gpu.read(&gathered, records.len()).unwrap();
             for (at, value) in (0..).zip(gathered) {
                 let point = point_of([at % 40, at / 40], 40);

@@ -94,7 +94,7 @@ pub fn show(target: Target, method: Method) -> Option<Program> {
     let mut modules = vec![&TYPES];
     if method == Method::Albedo {
         modules.push(albedo(target.features));
-        match target.features.has_finishes() {
+        match target.features.has_bsdfs() {
             true => modules.extend([&BSDF, &REFLECTANCE_ANY]),
             false => modules.push(&REFLECTANCE_PLAIN),
         }

@@ -5,9 +5,9 @@ use std::f32::consts::PI;
 
 use glam::Vec3;
 
-use crate::gpu::FinishRecord;
+use crate::gpu::BsdfRecord;
 use crate::sampling::{about, cosine_hemisphere};
-use crate::scene::{Finish, Material, Scene};
+use crate::scene::{Bsdf, Material, Scene};
 
 /// Where light is scattered.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,7 +17,7 @@ pub struct ShadingPoint {
     /// Diffuse reflectance.
     pub albedo: Vec3,
     /// What there is beside it.
-    pub finish: Finish,
+    pub bsdf: Bsdf,
     /// The probability that a direction is drawn from a Phong lobe, see [`lobe_probability`].
     pub lobe_probability: f32,
 }
@@ -38,8 +38,8 @@ impl ShadingPoint {
     /// and Willems 1994), of which the diffuse part alone is Lambert's.
     pub fn brdf(&self, view: Vec3, toward: Vec3) -> Vec3 {
         let diffuse = self.albedo / PI;
-        match self.finish {
-            Finish::Phong { specular, shininess } => {
+        match self.bsdf {
+            Bsdf::Phong { specular, shininess } => {
                 let lobe = lobe(self.mirrored(view), toward, shininess);
                 diffuse + specular * ((shininess + 2.0) / (2.0 * PI) * lobe)
             }
@@ -50,8 +50,8 @@ impl ShadingPoint {
     /// The density with which [`ShadingPoint::scatter`] draws a direction, by solid angle.
     pub fn density(&self, view: Vec3, toward: Vec3) -> f32 {
         let diffuse = self.normal.dot(toward).max(0.0) / PI;
-        match self.finish {
-            Finish::Phong { shininess, .. } => {
+        match self.bsdf {
+            Bsdf::Phong { shininess, .. } => {
                 let lobe = lobe(self.mirrored(view), toward, shininess);
                 let glossy = (shininess + 1.0) / (2.0 * PI) * lobe;
                 (1.0 - self.lobe_probability) * diffuse + self.lobe_probability * glossy
@@ -63,7 +63,7 @@ impl ShadingPoint {
     /// Draws a direction by the cosine about the normal, or, as often as `lobe_probability` says, by cosⁿ
     /// about the mirrored direction.
     pub fn scatter(&self, view: Vec3, u: [f32; 2]) -> BsdfSample {
-        let Finish::Phong { shininess, .. } = self.finish else {
+        let Bsdf::Phong { shininess, .. } = self.bsdf else {
             let direction = cosine_hemisphere(self.normal, u);
             let density = self.density(view, direction);
             return BsdfSample { direction, weight: self.albedo, density };
@@ -106,8 +106,8 @@ pub fn lobe(one: Vec3, other: Vec3, shininess: f32) -> f32 {
 /// With which probability a direction is drawn from a material's Phong lobe: the lobe's share of
 /// what it reflects.
 pub fn lobe_probability(material: &Material) -> f32 {
-    match material.finish {
-        Finish::Phong { specular, .. } if specular.max_element() > 0.0 => {
+    match material.bsdf {
+        Bsdf::Phong { specular, .. } if specular.max_element() > 0.0 => {
             let (diffuse, lobe) = (material.albedo.element_sum(), specular.element_sum());
             lobe / (diffuse + lobe)
         }
@@ -138,7 +138,7 @@ pub struct SpecularSample {
 /// Where light that goes along `direction` goes on at a mirror or glass, of which `front` is lit
 /// with the normal `normal`. Glass reflects if `u` is below Fresnel's reflectance, else refracts.
 pub fn sample_specular(
-    finish: &Finish,
+    bsdf: &Bsdf,
     normal: Vec3,
     front: bool,
     direction: Vec3,
@@ -147,12 +147,12 @@ pub fn sample_specular(
 ) -> Option<SpecularSample> {
     let cosine = -direction.dot(normal);
     let mirrored = (direction + 2.0 * cosine * normal).normalize();
-    let (specular, ior) = match *finish {
-        Finish::Mirror { specular } => {
+    let (specular, ior) = match *bsdf {
+        Bsdf::Mirror { specular } => {
             return Some(SpecularSample { direction: mirrored, weight: specular, reflected: true });
         }
-        Finish::Glass { specular, ior } => (specular, ior),
-        Finish::Diffuse | Finish::Phong { .. } => return None,
+        Bsdf::Glass { specular, ior } => (specular, ior),
+        Bsdf::Diffuse | Bsdf::Phong { .. } => return None,
     };
     let eta = if front { ior } else { 1.0 / ior };
     if u < fresnel(cosine, eta) {
@@ -179,19 +179,19 @@ pub fn fresnel(cosine: f32, eta: f32) -> f32 {
     0.5 * (across * across + along * along)
 }
 
-/// The finishes of a scene's materials, for the device.
-pub fn finishes(scene: &Scene) -> Vec<FinishRecord> {
-    scene.materials.iter().map(finish_record).collect()
+/// The bsdfs of a scene's materials, for the device.
+pub fn bsdfs(scene: &Scene) -> Vec<BsdfRecord> {
+    scene.materials.iter().map(bsdf_record).collect()
 }
 
-/// The finish of a material, for the device.
-pub fn finish_record(material: &Material) -> FinishRecord {
-    let (kind, specular, parameter) = match material.finish {
-        Finish::Diffuse => (0, Vec3::ZERO, 0.0),
-        Finish::Phong { specular, shininess } => (1, specular, shininess),
-        Finish::Mirror { specular } => (2, specular, 0.0),
-        Finish::Glass { specular, ior } => (3, specular, ior),
+/// The BSDF of a material, for the device.
+pub fn bsdf_record(material: &Material) -> BsdfRecord {
+    let (kind, specular, parameter) = match material.bsdf {
+        Bsdf::Diffuse => (0, Vec3::ZERO, 0.0),
+        Bsdf::Phong { specular, shininess } => (1, specular, shininess),
+        Bsdf::Mirror { specular } => (2, specular, 0.0),
+        Bsdf::Glass { specular, ior } => (3, specular, ior),
     };
     let (specular, lobe_probability) = (specular.to_array(), lobe_probability(material));
-    FinishRecord { specular, kind, parameter, lobe_probability, pad: [0; 2] }
+    BsdfRecord { specular, kind, parameter, lobe_probability, pad: [0; 2] }
 }

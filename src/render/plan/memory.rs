@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use crate::bvh::Bvh;
 use crate::gpu::{
-    AreaLightRecord, DirectionalLightRecord, FinishRecord, MaterialRecord, NodeRecord,
+    AreaLightRecord, BsdfRecord, DirectionalLightRecord, MaterialRecord, NodeRecord,
     PointLightRecord, SphereLightRecord, SpotLightRecord, TextureRecord, TriangleRecord,
 };
 use crate::render::features::Features;
@@ -27,8 +27,8 @@ pub fn tables(
         ("triangles and spheres", of::<TriangleRecord>(bvh.triangles.len())),
         ("materials", of::<MaterialRecord>(materials)),
     ];
-    if features.has_finishes() {
-        tables.push(("finishes", of::<FinishRecord>(materials)));
+    if features.has_bsdfs() {
+        tables.push(("bsdfs", of::<BsdfRecord>(materials)));
     }
     if features.has_textures() {
         let texels = used_images(scene).map(|image| scene.images[image].rgba.len()).sum();

@@ -70,8 +70,8 @@ pub fn upload(
         ("triangles", gpu.storage_of("triangles", &bvh.triangles)?),
         ("materials", gpu.storage_of("materials", &materials)?),
     ];
-    if features.has_finishes() {
-        tables.push(("finishes", gpu.storage_of("finishes", &bsdf::finishes(scene))?));
+    if features.has_bsdfs() {
+        tables.push(("bsdfs", gpu.storage_of("bsdfs", &bsdf::bsdfs(scene))?));
     }
     if features.has_textures() {
         let (texels, textures) = pack(scene);

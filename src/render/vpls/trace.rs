@@ -12,7 +12,7 @@ use crate::render::materials::hit::Surface;
 use crate::render::settings::Bounces;
 use crate::render::virtual_light::{GlossyLobe, VirtualLight};
 use crate::sampling::Sequence;
-use crate::scene::{Finish, Scene};
+use crate::scene::{Bsdf, Scene};
 
 /// Russian roulette lets a path live with at most this probability.
 const MOST_SURVIVAL: f32 = 0.95;
@@ -45,8 +45,8 @@ pub struct Vpl {
 impl Vpl {
     /// The light that the surface reflects.
     pub fn light(&self, scene: &Scene) -> VirtualLight {
-        let gloss = match scene.materials[self.material as usize].finish {
-            Finish::Phong { specular, shininess } => Some(GlossyLobe {
+        let gloss = match scene.materials[self.material as usize].bsdf {
+            Bsdf::Phong { specular, shininess } => Some(GlossyLobe {
                 material: self.material,
                 specular: self.flux * specular / PI,
                 shininess,
@@ -95,13 +95,13 @@ impl LightPaths<'_> {
             let surface = Surface::of(self.scene, &hit, ray.direction);
             let Surface { normal, front, albedo, material, .. } = surface;
             let of_surface = &self.scene.materials[material as usize];
-            let finish = of_surface.finish;
+            let bsdf = of_surface.bsdf;
             let incident = ray.direction;
-            if finish.is_specular() {
+            if bsdf.is_specular() {
                 // Between facing mirrors it would go on for ever.
                 let u = sequence.sample(path, SPECULAR_DIMENSION + specular);
                 let sample =
-                    bsdf::sample_specular(&finish, normal, front, incident, u, TransportMode::Flux);
+                    bsdf::sample_specular(&bsdf, normal, front, incident, u, TransportMode::Flux);
                 let Some(sample) = sample.filter(|_| specular < MOST_SPECULAR) else { break };
                 flux *= sample.weight;
                 ray = match sample.reflected {
@@ -112,7 +112,7 @@ impl LightPaths<'_> {
                 continue;
             }
             let lobe_probability = bsdf::lobe_probability(of_surface);
-            let place = ShadingPoint { normal, albedo, finish, lobe_probability };
+            let place = ShadingPoint { normal, albedo, bsdf, lobe_probability };
             // A black surface ends the path, and would be a light of no intensity.
             if (flux * (albedo + Vec3::splat(lobe_probability))).max_element() <= 0.0 {
                 break;
@@ -152,8 +152,8 @@ pub fn truncated_fraction(vpls: &[Vpl], bounces: Bounces, scene: &Scene) -> Opti
     let mean = |flux: Vec3| f64::from(flux.element_sum()) / 3.0;
     let of_bounce = |bounce: u32| vpls.iter().filter(move |vpl| vpl.bounce == bounce);
     let reached: f64 = of_bounce(1).map(|vpl| mean(vpl.flux)).sum();
-    let specular = |vpl: &Vpl| match scene.materials[vpl.material as usize].finish {
-        Finish::Phong { specular, .. } => specular,
+    let specular = |vpl: &Vpl| match scene.materials[vpl.material as usize].bsdf {
+        Bsdf::Phong { specular, .. } => specular,
         _ => Vec3::ZERO,
     };
     let carried: f64 =

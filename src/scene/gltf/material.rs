@@ -20,7 +20,7 @@ use super::source::Source;
 use super::texture::{self, Image, Layout};
 use crate::scene::texture::{Part, decode::Means};
 use crate::scene::{
-    Draft, DraftMaterial, Finish, Origin, SceneError, Texels, Texture, Warning, normalise,
+    Bsdf, Draft, DraftMaterial, Origin, SceneError, Texels, Texture, Warning, normalise,
 };
 
 const STRENGTH: &str = "KHR_materials_emissive_strength";
@@ -77,17 +77,17 @@ impl Reader<'_> {
         let [r, g, b, alpha] = json.pbr_metallic_roughness.base_color_factor.unwrap_or([1.0; 4]);
         let rounded = |x: f64| if x > 1.0 && x <= 1.0 + ROUNDING { 1.0 } else { x };
         let base = DVec3::new(r, g, b).map(rounded);
-        let (albedo, finish) = self.surface(base)?;
+        let (albedo, bsdf) = self.surface(base)?;
         let emission = DVec3::from_array(json.emissive_factor.unwrap_or_default())
             * self.extension(STRENGTH, "emissiveStrength", 1.0)?;
         let base_texture = json.pbr_metallic_roughness.base_color_texture.as_ref();
-        let is_glass = matches!(finish, Finish::Glass { .. });
+        let is_glass = matches!(bsdf, Bsdf::Glass { .. });
         Ok(DraftMaterial {
             name: self.name.clone(),
             albedo,
             texture: self.texture(base_texture.filter(|_| albedo != DVec3::ZERO))?,
             cutout: if is_glass { None } else { self.cutout(alpha)? },
-            finish,
+            bsdf,
             emission,
             emission_texture: self
                 .texture(json.emissive_texture.as_ref().filter(|_| emission != DVec3::ZERO))?,
@@ -96,37 +96,37 @@ impl Reader<'_> {
         })
     }
 
-    /// Albedo and finish.
-    fn surface(&mut self, base: DVec3) -> Result<(DVec3, Finish), SceneError> {
+    /// Albedo and bsdf.
+    fn surface(&mut self, base: DVec3) -> Result<(DVec3, Bsdf), SceneError> {
         if !base.to_array().iter().all(|c| (0.0..=1.0).contains(c)) {
             // The draft refuses it by its name.
-            return Ok((base, Finish::Diffuse));
+            return Ok((base, Bsdf::Diffuse));
         }
         let transmission = self.extension(TRANSMISSION, "transmissionFactor", 0.0)?;
         if transmission > 0.5 {
             let ior = self.extension(IOR, "ior", 1.5)? as f32;
             let specular = normalise::round(base * self.mean_base()?);
-            return Ok((DVec3::ZERO, Finish::Glass { specular, ior }));
+            return Ok((DVec3::ZERO, Bsdf::Glass { specular, ior }));
         }
         if transmission > 0.0 {
             self.lost.push("a little transmission".to_owned());
         }
         let [metalness, roughness] = self.metalness_and_roughness()?;
         if metalness == 0.0 && roughness >= ROUGH {
-            return Ok((base, Finish::Diffuse));
+            return Ok((base, Bsdf::Diffuse));
         }
         let metal = match metalness > 0.0 {
             true => base * self.mean_base()?,
             false => DVec3::ZERO,
         };
         if metalness >= 0.5 && roughness < SMOOTH {
-            return Ok((DVec3::ZERO, Finish::Mirror { specular: normalise::round(metal) }));
+            return Ok((DVec3::ZERO, Bsdf::Mirror { specular: normalise::round(metal) }));
         }
         let albedo = (1.0 - DIELECTRIC) * (1.0 - metalness) * base;
         let specular = DIELECTRIC * (1.0 - metalness) + metalness * metal;
         let alpha = (roughness * roughness).max(1e-6);
         let shininess = (2.0 / (alpha * alpha) - 2.0).clamp(0.0, MOST_SHININESS) as f32;
-        Ok((albedo, Finish::Phong { specular: normalise::round(specular), shininess }))
+        Ok((albedo, Bsdf::Phong { specular: normalise::round(specular), shininess }))
     }
 
     fn metalness_and_roughness(&mut self) -> Result<[f64; 2], SceneError> {

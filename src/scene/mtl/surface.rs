@@ -9,7 +9,7 @@ use super::map::Map;
 use super::material::MtlMaterial;
 use crate::scene::mesh::DEFAULT_ALBEDO;
 use crate::scene::texture::{Part, read_image};
-use crate::scene::{Draft, DraftMaterial, Finish, Origin, SceneError, Warning, normalise};
+use crate::scene::{Bsdf, Draft, DraftMaterial, Origin, SceneError, Warning, normalise};
 
 /// Exponent from which on a highlight is a mirror's.
 const MIRROR_SHININESS: f64 = 1000.0;
@@ -41,13 +41,13 @@ impl MtlMaterial {
     pub fn add_to(&self, draft: &mut Draft) -> Result<u32, SceneError> {
         let mut faults = Faults::default();
         let kind = self.kind();
-        let (albedo, finish) = self.reflection(kind, &mut faults);
+        let (albedo, bsdf) = self.reflection(kind, &mut faults);
         let emission = self.emission.filter(|&e| self.emission_map.is_none() || e != DVec3::ZERO);
         let unlit = if self.emission_map.is_some() { DVec3::ONE } else { DVec3::ZERO };
         if self.emission == Some(DVec3::ZERO) && self.emission_map.is_some() {
             faults.notes.push("has a map_Ke over a Ke of 0, read as 1".to_owned());
         }
-        let specular = finish.is_specular();
+        let specular = bsdf.is_specular();
         if specular && self.diffuse_map.is_some() {
             faults.changes.push("has a map_Kd, not shown by mirrors and glass".to_owned());
         }
@@ -62,7 +62,7 @@ impl MtlMaterial {
             albedo,
             texture: diffuse_map.map(|map| self.texture(draft, map, Part::Color)),
             cutout: self.opacity_map.as_ref().map(|map| self.texture(draft, map, Part::Opacity)),
-            finish,
+            bsdf,
             emission: emission.unwrap_or(unlit),
             emission_texture: self
                 .emission_map
@@ -92,8 +92,8 @@ impl MtlMaterial {
         }
     }
 
-    /// Albedo and finish, made to reflect no more than they receive.
-    fn reflection(&self, kind: Kind, faults: &mut Faults) -> (DVec3, Finish) {
+    /// Albedo and BSDF, made to reflect no more than they receive.
+    fn reflection(&self, kind: Kind, faults: &mut Faults) -> (DVec3, Bsdf) {
         let mut within = |what: &str, sum: DVec3| {
             let most = sum.max_element();
             if most <= 1.0 {
@@ -111,7 +111,7 @@ impl MtlMaterial {
             Kind::Mirror => {
                 let by = within("Ks", self.specular);
                 let specular = normalise::round(scaled(self.specular, by));
-                (DVec3::ZERO, Finish::Mirror { specular })
+                (DVec3::ZERO, Bsdf::Mirror { specular })
             }
             Kind::Glass => {
                 let tint = self.transmission.filter(|&tint| tint != DVec3::ZERO);
@@ -124,7 +124,7 @@ impl MtlMaterial {
                     faults.changes.push(format!("has an impossible Ni of {given}, 1.5 is used"));
                 }
                 let ior = if possible { given } else { DEFAULT_REFRACTION } as f32;
-                (DVec3::ZERO, Finish::Glass { specular, ior })
+                (DVec3::ZERO, Bsdf::Glass { specular, ior })
             }
             Kind::Phong => {
                 let by = within("Kd + Ks", self.albedo() + self.specular);
@@ -132,13 +132,13 @@ impl MtlMaterial {
                 let shininess = self.shininess.clamp(0.0, MOST_SHININESS) as f32;
                 let albedo = scaled(self.albedo(), by);
                 self.note_albedo(faults);
-                (albedo, Finish::Phong { specular, shininess })
+                (albedo, Bsdf::Phong { specular, shininess })
             }
             Kind::Diffuse => {
                 let by = within("Kd", self.albedo());
                 let albedo = scaled(self.albedo(), by);
                 self.note_albedo(faults);
-                (albedo, Finish::Diffuse)
+                (albedo, Bsdf::Diffuse)
             }
         }
     }

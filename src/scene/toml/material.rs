@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use crate::scene::document::{Section, Value};
-use crate::scene::{Draft, DraftMaterial, Finish, SceneError, normalise};
+use crate::scene::{Bsdf, Draft, DraftMaterial, SceneError, normalise};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
@@ -43,31 +43,31 @@ pub fn read(name: &str, section: &Section, draft: &mut Draft) -> Result<DraftMat
     let emission = section.get("emission").map(|emission| emission.power()).transpose()?;
     let specular = section.get("specular").map(|specular| reflectance(&specular)).transpose()?;
     let rounded = normalise::round(specular.unwrap_or(DVec3::ONE));
-    let finish = match kind {
-        Kind::Diffuse => Finish::Diffuse,
+    let bsdf = match kind {
+        Kind::Diffuse => Bsdf::Diffuse,
         Kind::Phong => {
             section.required("specular")?;
             let shininess = section.required("shininess")?;
-            Finish::Phong { specular: rounded, shininess: within(&shininess, 0.0, 1e6)? as f32 }
+            Bsdf::Phong { specular: rounded, shininess: within(&shininess, 0.0, 1e6)? as f32 }
         }
-        Kind::Mirror => Finish::Mirror { specular: rounded },
+        Kind::Mirror => Bsdf::Mirror { specular: rounded },
         Kind::Glass => {
             let ior = section.get("ior").map_or(Ok(1.5), |ior| within(&ior, 0.1, 10.0))?;
-            Finish::Glass { specular: rounded, ior: ior as f32 }
+            Bsdf::Glass { specular: rounded, ior: ior as f32 }
         }
     };
     let albedo = match section.get("albedo") {
         Some(albedo) => reflectance(&albedo)?,
         // What a highlight leaves, of a texture alone.
         None if section.get("texture").is_some() => DVec3::ONE - specular.unwrap_or_default(),
-        None if emission.is_some() || finish.is_specular() => DVec3::ZERO,
+        None if emission.is_some() || bsdf.is_specular() => DVec3::ZERO,
         None => return Err(section.fault("key `albedo` is missing; give it, or a `texture`")),
     };
     Ok(DraftMaterial {
         name: name.to_owned(),
         albedo,
         texture: section.get("texture").map(|value| texture(&value, draft)).transpose()?,
-        finish,
+        bsdf,
         emission: emission.unwrap_or_default(),
         two_sided: section.get("two_sided").map_or(Ok(false), |value| value.boolean())?,
         origin: section.origin(),

@@ -1,7 +1,7 @@
 //! Metal-roughness materials and their nearest.
 
 use glam::Vec3;
-use gpu_vpl::scene::{Finish, Scene};
+use gpu_vpl::scene::{Bsdf, Scene};
 use serde_json::{Value, json};
 
 use super::build::{load_gltf, textured};
@@ -15,12 +15,12 @@ fn surface(pbr: Value, more: &[(&str, Value)]) -> Scene {
     load_gltf(&textured().edit(&[&pbr[..], more].concat())).unwrap()
 }
 
-/// Albedo and finish of a material that loses nothing.
-fn exact(pbr: Value, more: &[(&str, Value)]) -> (Vec3, Finish) {
+/// Albedo and BSDF of a material that loses nothing.
+fn exact(pbr: Value, more: &[(&str, Value)]) -> (Vec3, Bsdf) {
     let scene = surface(pbr, more);
     let material = &scene.materials[0];
     assert!(scene.warnings.iter().all(|w| !w.message.contains("wood")), "{:?}", scene.warnings);
-    (material.albedo, material.finish)
+    (material.albedo, material.bsdf)
 }
 
 const COLOR: Vec3 = Vec3::new(0.25, 0.5, 1.0);
@@ -32,11 +32,11 @@ fn metalness_and_roughness_tell_the_finish() {
             "roughnessFactor": roughness});
         exact(pbr, &[])
     };
-    assert_eq!(of(0.0, 1.0), (COLOR, Finish::Diffuse));
-    assert_eq!(of(0.0, 0.6), (COLOR, Finish::Diffuse));
-    assert_eq!(of(1.0, 0.04), (Vec3::ZERO, Finish::Mirror { specular: COLOR }));
-    let phong = |(albedo, finish): (Vec3, Finish)| match finish {
-        Finish::Phong { specular, shininess } => (albedo, specular, shininess),
+    assert_eq!(of(0.0, 1.0), (COLOR, Bsdf::Diffuse));
+    assert_eq!(of(0.0, 0.6), (COLOR, Bsdf::Diffuse));
+    assert_eq!(of(1.0, 0.04), (Vec3::ZERO, Bsdf::Mirror { specular: COLOR }));
+    let phong = |(albedo, bsdf): (Vec3, Bsdf)| match bsdf {
+        Bsdf::Phong { specular, shininess } => (albedo, specular, shininess),
         other => panic!("{other:?}"),
     };
     let near = |got: Vec3, expected: Vec3| {
@@ -73,13 +73,13 @@ fn transmission_is_glass() {
         )
     };
     let clear = json!({"KHR_materials_transmission": {"transmissionFactor": 1}});
-    assert_eq!(glass(clear), (Vec3::ZERO, Finish::Glass { specular: COLOR, ior: 1.5 }));
+    assert_eq!(glass(clear), (Vec3::ZERO, Bsdf::Glass { specular: COLOR, ior: 1.5 }));
     let dense = json!({"KHR_materials_transmission": {"transmissionFactor": 0.75},
         "KHR_materials_ior": {"ior": 2.25}});
-    assert_eq!(glass(dense), (Vec3::ZERO, Finish::Glass { specular: COLOR, ior: 2.25 }));
+    assert_eq!(glass(dense), (Vec3::ZERO, Bsdf::Glass { specular: COLOR, ior: 2.25 }));
     let little = json!({"KHR_materials_transmission": {"transmissionFactor": 0.5}});
     let scene = surface(json!({"metallicFactor": 0}), &[("/materials/0/extensions", little)]);
-    assert_eq!(scene.materials[0].finish, Finish::Diffuse);
+    assert_eq!(scene.materials[0].bsdf, Bsdf::Diffuse);
     warned(&scene, "material `wood` has a little transmission", true);
     let bad = json!({"KHR_materials_transmission": {"transmissionFactor": 1},
         "KHR_materials_ior": {"ior": "x"}});
@@ -96,14 +96,14 @@ fn textures_of_what_has_one_colour_are_averaged() {
     // The mean of the quarters: 0.502886 is the light of 188.
     let mean = 0.25 * Vec3::splat(1.502_886);
     let scene = surface(json!({"roughnessFactor": 0, "baseColorTexture": {"index": 0}}), &[]);
-    let Finish::Mirror { specular } = scene.materials[0].finish else { panic!() };
+    let Bsdf::Mirror { specular } = scene.materials[0].bsdf else { panic!() };
     assert!(specular.distance(mean) < 1e-6, "{specular}");
     assert_eq!((scene.materials[0].texture, scene.images.len()), (None, 0));
     warned(&scene, "material `wood` has a texture on what it mirrors, of which the mean", true);
     // Roughness is the mean of green, metalness that of blue, as numbers.
     let rough = json!({"metallicRoughnessTexture": {"index": 0}, "metallicFactor": 0.5});
     let scene = surface(rough, &[]);
-    let Finish::Phong { specular, shininess } = scene.materials[0].finish else { panic!() };
+    let Bsdf::Phong { specular, shininess } = scene.materials[0].bsdf else { panic!() };
     let number = f64::from(255 + 188) / (4.0 * 255.0);
     let expected = 0.04 * (1.0 - 0.5 * number) + 0.5 * number;
     assert!((f64::from(specular.x) - expected).abs() < 1e-6, "{specular} {expected}");
@@ -112,12 +112,12 @@ fn textures_of_what_has_one_colour_are_averaged() {
     // One that is not there.
     let gone = [("/images/0", json!({"uri": "gone.png"}))];
     let scene = surface(json!({"roughnessFactor": 0, "baseColorTexture": {"index": 0}}), &gone);
-    let magenta = Finish::Mirror { specular: Vec3::new(1.0, 0.0, 1.0) };
-    assert_eq!(scene.materials[0].finish, magenta);
+    let magenta = Bsdf::Mirror { specular: Vec3::new(1.0, 0.0, 1.0) };
+    assert_eq!(scene.materials[0].bsdf, magenta);
     warned(&scene, "gone.png is not there", true);
     let gone = [("/images/0", json!({"uri": "gone.png"}))];
     let scene = surface(json!({"metallicRoughnessTexture": {"index": 0}}), &gone);
-    assert_eq!(scene.materials[0].finish, Finish::Phong { specular: Vec3::ONE, shininess: 0.0 });
+    assert_eq!(scene.materials[0].bsdf, Bsdf::Phong { specular: Vec3::ONE, shininess: 0.0 });
     warned(&scene, "; 1 is used", true);
 }
 

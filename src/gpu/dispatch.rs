@@ -1,4 +1,4 @@
-//! Passes as data: which kernel, with which buffers, over how many workgroups; and how long each
+//! Dispatches as data: which kernel, with which buffers, over how many workgroups; and how long each
 //! ran by the device's own clock, where the adapter has timestamps.
 
 use std::sync::PoisonError;
@@ -6,11 +6,11 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use super::timer::Timer;
-use super::{Bindings, Gpu, GpuError, Kernel, PassTime};
+use super::{Bindings, DispatchTimes, Gpu, GpuError, Kernel};
 
 /// One dispatch.
 #[derive(Debug, Clone, Copy)]
-pub struct Pass<'a> {
+pub struct Dispatch<'a> {
     /// What runs.
     pub kernel: &'a Kernel,
     /// On what.
@@ -20,27 +20,31 @@ pub struct Pass<'a> {
 }
 
 impl Gpu {
-    /// Submits the passes in order, waits for them, and returns how long they took by the
-    /// wall clock. The device's own clock is read by [`Gpu::take_pass_times`].
+    /// Submits the dispatches in order, waits for them, and returns how long they took by the
+    /// wall clock. The device's own clock is read by [`Gpu::take_dispatch_times`].
     ///
     /// # Errors
     /// The device fails, runs out of memory, does not finish in time, or the user interrupts.
-    pub fn run(&self, passes: &[Pass<'_>]) -> Result<Duration, GpuError> {
+    pub fn run(&self, dispatches: &[Dispatch<'_>]) -> Result<Duration, GpuError> {
         if self.interrupt.load(Ordering::Relaxed) {
             return Err(GpuError::Interrupted);
         }
-        let doing = passes.iter().map(|p| p.kernel.label).collect::<Vec<_>>().join(", ");
+        let doing =
+            dispatches.iter().map(|dispatch| dispatch.kernel.label).collect::<Vec<_>>().join(", ");
         let start = Instant::now();
         self.checked(&doing, || {
             let mut encoder = self.device.create_command_encoder(&Default::default());
-            for pass in passes {
+            for dispatch in dispatches {
                 let mut compute = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-                    label: Some(pass.kernel.label),
-                    timestamp_writes: self.timer.as_ref().and_then(|t| t.writes(pass.kernel.label)),
+                    label: Some(dispatch.kernel.label),
+                    timestamp_writes: self
+                        .timer
+                        .as_ref()
+                        .and_then(|t| t.writes(dispatch.kernel.label)),
                 });
-                compute.set_pipeline(&pass.kernel.pipeline);
-                compute.set_bind_group(0, &pass.bindings.0, &[]);
-                compute.dispatch_workgroups(pass.workgroups[0], pass.workgroups[1], 1);
+                compute.set_pipeline(&dispatch.kernel.pipeline);
+                compute.set_bind_group(0, &dispatch.bindings.0, &[]);
+                compute.dispatch_workgroups(dispatch.workgroups[0], dispatch.workgroups[1], 1);
             }
             self.queue.submit([encoder.finish()]);
         })?;
@@ -79,7 +83,7 @@ impl Gpu {
     ///
     /// # Errors
     /// The device fails.
-    pub fn take_pass_times(&self) -> Result<Vec<PassTime>, GpuError> {
+    pub fn take_dispatch_times(&self) -> Result<Vec<DispatchTimes>, GpuError> {
         let Some(timer) = &self.timer else { return Ok(Vec::new()) };
         self.collect_times(timer)?;
         let mut state = timer.state.lock().unwrap_or_else(PoisonError::into_inner);
@@ -110,7 +114,7 @@ impl Gpu {
                     known.dispatches += 1;
                     known.time += time;
                 }
-                None => state.times.push(PassTime { label, dispatches: 1, time }),
+                None => state.times.push(DispatchTimes { label, dispatches: 1, time }),
             }
         }
         Ok(())
