@@ -102,6 +102,25 @@ fn every_shader_file_is_in_the_catalogue() {
     assert_eq!(files, known);
 }
 
+/// `shaders/README.md` has a section for each folder, which names the folder's files and no others.
+#[test]
+fn the_page_of_the_shaders_names_every_file() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders");
+    let page = fs::read_to_string(root.join("README.md")).expect("the page");
+    let sections = page.split("\n### `").skip(1).flat_map(|section| {
+        let (folder, text) = section.split_once('`').expect("a folder in the heading");
+        // The last paragraph is the list.
+        let list = text.trim().rsplit("\n\n").next().expect("a list");
+        let names = list.split('`').skip(1).step_by(2);
+        names.map(move |name| format!("{folder}/{name}"))
+    });
+    let mut named: Vec<String> = sections.collect();
+    named.sort();
+    let mut known: Vec<String> = CATALOGUE.iter().map(|module| module.name.to_owned()).collect();
+    known.sort();
+    assert_eq!(named, known, "shaders/README.md (left) against the catalogue");
+}
+
 /// The resources that are left when naga has removed what the entry point does not use.
 fn used(linked: &Linked) -> BTreeMap<String, naga::ResourceBinding> {
     let mut module = linked.module.clone();
