@@ -51,7 +51,8 @@ fn code(value: f32) -> u16 {
     if !value.is_finite() {
         return NONFINITE;
     }
-    let rounded = (value.max(0.0).to_bits() + (1 << 14)) >> 15;
+    // The sum makes -0 a 0, which `max` may leave as it is.
+    let rounded = ((value.max(0.0) + 0.0).to_bits() + (1 << 14)) >> 15;
     rounded.min(LARGEST) as u16
 }
 
