@@ -1,4 +1,4 @@
-//! What every step of a frame is made for.
+//! What every step of a frame is made for: scene, camera, settings, tiles.
 
 use super::tiling::Tiling;
 use crate::render::prepared::Prepared;

@@ -1,4 +1,4 @@
-//! The visible points of a whole frame on the host, and their clusters.
+//! Clusters of the visible points of a frame, and outliers of them that are clustered anew.
 
 use glam::Vec3;
 use rayon::prelude::*;

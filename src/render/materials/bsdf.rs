@@ -1,4 +1,4 @@
-//! How surfaces scatter light, on the host: the twin of `shaders/materials/scatter_phong.wgsl` and
+//! BSDFs on the host: the twin of `shaders/materials/scatter_phong.wgsl` and
 //! `shaders/materials/specular_sample.wgsl`.
 
 use std::f32::consts::PI;
