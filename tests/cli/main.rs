@@ -2,7 +2,10 @@
 
 #![expect(clippy::expect_used, reason = "a helper of tests fails by panicking")]
 
+mod compare;
+mod info;
 mod outputs;
+mod path;
 
 use std::fs;
 use std::path::Path;

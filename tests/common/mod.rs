@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test file uses its own share")]
 #![allow(clippy::expect_used, clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
 
+pub mod child;
 pub mod compare;
 pub mod gather;
 pub mod lights;

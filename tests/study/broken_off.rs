@@ -1,15 +1,16 @@
 //! Studies that are broken off, and references that are not what they should be.
 
 use std::fs;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use gpu_vpl::image::{Image, exr, read};
 use serde_json::Value;
 
 use super::{command, json, stderr, study};
+use crate::common::child::Started;
 
 const SWEEP: &str = "builtin:cornell --method both,vpl,path --vpls 20,200 --samples 4 \
                      --size 48x32 --seeds 3 --reference-samples 32 --clustering-seeds 3";
@@ -65,7 +66,7 @@ fn a_killed_study_goes_on() {
     // In the midst of the reference, and in the midst of the rows.
     let log = place.path().join("killed/measured/measured.jsonl");
     for lines in [5, 22] {
-        let mut child = command(place.path(), &options).stderr(Stdio::null()).spawn().unwrap();
+        let mut child = Started::of(command(place.path(), &options).stderr(Stdio::null()));
         wait_for(&log, lines, &mut child);
         child.kill().unwrap();
         child.wait().unwrap();
@@ -89,13 +90,12 @@ fn a_killed_study_goes_on() {
 fn ctrl_c_writes_what_is_done() {
     let place = tempfile::tempdir().unwrap();
     let options = format!("{SWEEP} -o out");
-    let mut child = command(place.path(), &options).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = Started::of(command(place.path(), &options).stderr(Stdio::piped()));
     wait_for(&place.path().join("out/measured/measured.jsonl"), 20, &mut child);
-    let pid = child.id().to_string();
-    assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
-    let Output { status, stderr, .. } = child.wait_with_output().unwrap();
-    let stderr = String::from_utf8(stderr).unwrap();
-    assert_eq!(status.code(), Some(130), "{stderr}");
+    child.interrupt();
+    let mut stderr = String::new();
+    child.stderr.take().unwrap().read_to_string(&mut stderr).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{stderr}");
     assert!(stderr.lines().last().unwrap().starts_with("error: interrupted: "), "{stderr}");
     let out = place.path().join("out");
     let partial = json(&out);
@@ -118,11 +118,10 @@ fn broken_off_extremes_are_written_and_go_on() {
     // Breaks it off after its first case, of which it gives what is said.
     let first_case = |options: &str| {
         let options = format!("--preset extremes -o out {options}");
-        let mut child = command(place.path(), &options).stderr(Stdio::piped()).spawn().unwrap();
+        let mut child = Started::of(command(place.path(), &options).stderr(Stdio::piped()));
         let mut told = BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok);
         let first = told.find(|line| line.starts_with("1 of ")).expect("no case was run");
-        let pid = child.id().to_string();
-        assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
+        child.interrupt();
         let last = told.last().unwrap();
         assert!(last.starts_with("error: interrupted: "), "{last}");
         assert_eq!(child.wait().unwrap().code(), Some(130), "{last}");

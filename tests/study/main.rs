@@ -1,15 +1,19 @@
 //! Studies through the program, at sizes that take next to no time: the numbers are worth
-//! nothing, what is there and agrees is.
+//! nothing, what is there and agrees is. Studies that are broken off; and the page of one, in a
+//! browser.
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
+
+mod broken_off;
+#[path = "../common/mod.rs"]
+mod common;
+mod page;
 
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
 use serde_json::Value;
-
-mod broken_off;
 
 /// The program, about to study.
 fn command(directory: &Path, options: &str) -> Command {

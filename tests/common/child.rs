@@ -1,0 +1,47 @@
+//! A process that a test has started: it ends with the test, whatever becomes of that.
+
+use std::ops::{Deref, DerefMut};
+use std::process::{Child, Command};
+
+/// Dropped, it is killed and waited for.
+#[derive(Debug)]
+pub struct Started(Child);
+
+impl Started {
+    /// Starts a program.
+    pub fn of(command: &mut Command) -> Self {
+        Self(command.spawn().expect("the program starts"))
+    }
+
+    /// Asks it to end, as Ctrl-C in a terminal does. `kill` is the shell's own: the program of that
+    /// name is not everywhere, and crates that send signals turn on features of crates that the
+    /// library is built with, so that it would be built twice.
+    #[cfg(unix)]
+    pub fn interrupt(&self) {
+        let id = self.0.id().to_string();
+        let status = Command::new("sh").args(["-c", "kill -s INT \"$0\"", &id]).status();
+        assert!(status.expect("there is a shell").success(), "it has ended already");
+    }
+}
+
+impl Deref for Started {
+    type Target = Child;
+
+    fn deref(&self) -> &Child {
+        &self.0
+    }
+}
+
+impl DerefMut for Started {
+    fn deref_mut(&mut self) -> &mut Child {
+        &mut self.0
+    }
+}
+
+impl Drop for Started {
+    fn drop(&mut self) {
+        // Both are refused where it has ended and was waited for, which is as it should be.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}

@@ -1,0 +1,10 @@
+//! Direct light against closed forms: every kind of light, on every shape.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod closed_forms;
+mod environment;
+mod lights;
+mod sphere_lights;
+mod spheres;
