@@ -6,7 +6,7 @@
 
 use std::time::{Duration, Instant};
 
-use crate::common::gather::VisibilityPass;
+use crate::common::gather::VisibilityDispatch;
 use crate::common::gpu;
 use glam::{Vec3, Vec3A};
 use gpu_vpl::bvh::{Bvh, Ray};
@@ -99,7 +99,7 @@ fn shadow_rays_of_representatives_in_the_room() {
 
     let words = vpls.len().div_ceil(32) as u32;
     let slices: Vec<u32> = (0..words).step_by(24).map(|word| 24.min(words - word)).collect();
-    let pass = VisibilityPass::new(gpu(), Tracing::Rays, &bvh, &points, &vpls);
+    let pass = VisibilityDispatch::new(gpu(), Tracing::Rays, &bvh, &points, &vpls);
     // As in the renderer.
     let mut at_once = 16;
     let run = || loop {
