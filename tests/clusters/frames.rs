@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
 
-use crate::common::{Rng, difference, frame, open_gpu, room};
+use crate::common::{Rng, difference, frame, gpu, room};
 use glam::{DVec3, Vec3};
 use gpu_vpl::gpu::Gpu;
 use gpu_vpl::image::Image;
@@ -36,7 +36,7 @@ fn all_clusterings(points: u32, vpls: u32) -> Vec<Clustering> {
 /// and columns are in the order of a Morton curve, so no index is that of its point or VPL.
 #[test]
 fn clusters_of_one_give_the_image_of_all_vpls() {
-    for gpu in [open_gpu(), open_gpu().without_subgroups()] {
+    for gpu in [gpu().clone(), gpu().clone().without_subgroups()] {
         let prepared = prepared(gpu);
         let all = frame(&prepared, &settings(Method::Vpl, Clustering::default()));
         assert!(all.counts.vpls > 1024, "one chunk of the bit matrix is not enough to test");
@@ -53,7 +53,7 @@ fn clusters_of_one_give_the_image_of_all_vpls() {
 /// Fewer clusters trace fewer rays, and are near the image of all VPLs.
 #[test]
 fn few_clusters_are_near_the_image_of_all_vpls() {
-    let prepared = prepared(open_gpu());
+    let prepared = prepared(gpu().clone());
     let all = frame(&prepared, &settings(Method::Vpl, Clustering::default()));
     let mean = |image: &Image| image.pixels.iter().flatten().map(|&c| f64::from(c)).sum::<f64>();
     for method in CLUSTERED {
@@ -82,7 +82,7 @@ fn images_do_not_depend_on_the_number_of_threads() {
                     false => Direct::PerPixel,
                 };
                 let settings = Settings { interleave: 2, direct, ..settings(method, clustering) };
-                pool.install(|| frame(&prepared(open_gpu()), &settings).image.pixels)
+                pool.install(|| frame(&prepared(gpu().clone()), &settings).image.pixels)
             });
             assert!(images[0] == images[1] && images[1] == images[2], "{method:?} {clustering:?}");
         }
@@ -100,7 +100,7 @@ fn direct_light_of_clusters_of_one_is_that_of_each_pixel() {
         light_samples: Some(light_samples),
         ..settings(Method::Vpc, clustering)
     };
-    for gpu in [open_gpu(), open_gpu().without_subgroups()] {
+    for gpu in [gpu().clone(), gpu().clone().without_subgroups()] {
         let prepared = prepared(gpu);
         let pixels = frame(&prepared, &settings(Direct::PerPixel, 512)).image;
         let shared = frame(&prepared, &settings(Direct::Clustered, 2048)).image;
@@ -117,7 +117,7 @@ fn direct_light_of_clusters_of_one_is_that_of_each_pixel() {
 /// method is near itself without interleaving, and nearer than a pixel by itself would be.
 #[test]
 fn interleaved_pixels_are_near_those_that_gather_all() {
-    let prepared = prepared(open_gpu());
+    let prepared = prepared(gpu().clone());
     for method in [Method::Vpl, Method::Vplc, Method::Vpc, Method::Both] {
         for clustering in all_clusterings(100, 400) {
             let all = settings(method, clustering);
@@ -154,7 +154,7 @@ fn deviation(image: &Image, reference: &Image) -> (f64, f64) {
 /// Points that see otherwise than their cluster get clusters of their own.
 #[test]
 fn probes_bring_clusters_nearer_to_all_vpls() {
-    let prepared = prepared(open_gpu());
+    let prepared = prepared(gpu().clone());
     let all = frame(&prepared, &settings(Method::Vpl, Clustering::default())).image;
     for fuzzy in [1, 4] {
         let spread = |probes| {

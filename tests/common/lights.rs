@@ -8,7 +8,7 @@ use gpu_vpl::render::{
 };
 use gpu_vpl::scene::{DraftSpot, Scene};
 
-use super::{Build, frame, open_gpu};
+use super::{Build, frame, gpu};
 
 pub const ALBEDO: [f64; 3] = [0.5, 0.25, 1.0];
 
@@ -85,10 +85,10 @@ pub fn direct_light(scene: &Scene, samples: u32) -> Vec<(&'static str, Frame)> {
         frame(&prepared, settings)
     };
     vec![
-        ("direct", render(open_gpu(), &direct)),
-        ("direct, plain", render(open_gpu().without_subgroups(), &direct)),
-        ("clustered", render(open_gpu(), &clustered)),
-        ("path", render(open_gpu(), &path)),
+        ("direct", render(gpu().clone(), &direct)),
+        ("direct, plain", render(gpu().clone().without_subgroups(), &direct)),
+        ("clustered", render(gpu().clone(), &clustered)),
+        ("path", render(gpu().clone(), &path)),
     ]
 }
 
@@ -131,7 +131,7 @@ pub fn one_bounce_agrees(scene: &Scene, light_paths: u32, what: &str) {
             edge_samples: 64,
             ..Settings::of(method)
         };
-        let prepared = Prepared::new(open_gpu(), scene.clone(), &settings).unwrap();
+        let prepared = Prepared::new(gpu().clone(), scene.clone(), &settings).unwrap();
         frame(&prepared, &settings)
     });
     // Emission and background are in both, exactly; what is compared is the rest.

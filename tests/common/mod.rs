@@ -27,7 +27,7 @@ pub fn open_gpu() -> Gpu {
     Gpu::open(&AdapterChoice::Auto).expect("tests need an adapter; Mesa's lavapipe is enough")
 }
 
-/// The device that the tests of a file share.
+/// The device that the tests of a binary share.
 pub fn gpu() -> &'static Gpu {
     static GPU: OnceLock<Gpu> = OnceLock::new();
     GPU.get_or_init(open_gpu)
@@ -159,7 +159,7 @@ impl Build {
 }
 
 pub fn render_scene(scene: Scene, settings: &Settings) -> Frame {
-    render_on(open_gpu(), scene, settings)
+    render_on(gpu().clone(), scene, settings)
 }
 
 pub fn render_on(gpu: Gpu, scene: Scene, settings: &Settings) -> Frame {

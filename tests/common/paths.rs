@@ -4,7 +4,7 @@ use gpu_vpl::image::Image;
 use gpu_vpl::render::{self, Bounces, Frame, Method, Prepared, Settings};
 use gpu_vpl::scene::Scene;
 
-use super::open_gpu;
+use super::gpu;
 
 pub fn settings(samples: u32, bounces: Bounces) -> Settings {
     Settings { samples, bounces, ..Settings::of(Method::Path) }
@@ -16,7 +16,7 @@ pub fn frame(prepared: &Prepared, settings: &Settings, seed: u32) -> Frame {
 }
 
 pub fn prepare(scene: Scene, settings: &Settings) -> Prepared {
-    Prepared::new(open_gpu(), scene, settings).unwrap()
+    Prepared::new(gpu().clone(), scene, settings).unwrap()
 }
 
 /// Mean of a channel over the image, and its standard error.

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use crate::common::lights::{ALBEDO, direct_light, first_flux, one_bounce_agrees, plane};
 use crate::common::paths::mean_and_error;
-use crate::common::{self, Build, Rng, frame, open_gpu, render_scene};
+use crate::common::{self, Build, Rng, frame, gpu, render_scene};
 use glam::{DVec3, Vec2, Vec3, dvec3};
 use gpu_vpl::image::Image;
 use gpu_vpl::render::{Bounces, Clamp, Direct, Method, Prepared, Settings};
@@ -189,7 +189,7 @@ fn the_background_is_the_image() {
             let camera = scene.camera;
             let settings =
                 Settings { direct: Direct::Off, edge_samples: 1, ..Settings::of(Method::Direct) };
-            let prepared = Prepared::new(open_gpu(), scene, &settings).unwrap();
+            let prepared = Prepared::new(gpu().clone(), scene, &settings).unwrap();
             let image = frame(&prepared, &settings).image;
             let normals = frame(&prepared, &Settings { method: Method::Depth, ..settings }).image;
             let [x_scale, y_scale] = camera.half_tangents();
@@ -320,7 +320,7 @@ fn a_black_environment_is_left_out() {
         let dark = Build { draft: build.draft.clone(), ..build };
         assert!(dark.draft.finish().is_err(), "nothing shines");
         build.point_light(dvec3(0.0, -2.0, 0.0), [1.0; 3]);
-        let prepared = Prepared::new(open_gpu(), build.scene(), &Settings::default()).unwrap();
+        let prepared = Prepared::new(gpu().clone(), build.scene(), &Settings::default()).unwrap();
         assert!(prepared.left_out().contains(&"environment light"));
         assert!(
             frame(&prepared, &Settings::default())

@@ -3,13 +3,16 @@
 #![expect(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
 
 use std::collections::BTreeSet;
-use std::env;
-use std::fs;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
+use std::{env, fs, thread};
 
 use gpu_vpl::cli;
 use gpu_vpl::extremes::checks::CHECKS;
-use gpu_vpl::extremes::{CASES, Cases, Expect, Judged, Runner, Scale, Verdict};
+use gpu_vpl::extremes::checks::CHECKS;
+use gpu_vpl::extremes::{CASES, Case, Cases, Expect, Judged, Runner, Scale, Verdict};
+use gpu_vpl::extremes::{CASES, Case, Cases, Expect, Judged, Runner, Scale, Verdict};
 use gpu_vpl::gpu::AdapterChoice;
 
 mod fails;
@@ -40,35 +43,59 @@ fn describe(judged: &Judged) -> String {
     )
 }
 
-/// All at once, so that scenes and images are shared. `GPU_VPL_CASES=TEXT` runs those alone whose
-/// name, row or scene holds it, and tells every figure; `GPU_VPL_SCALE=full` in full size.
+/// All in one, so that cases of a scene share it and its images; scenes are dealt to as many threads
+/// as there are cores. `GPU_VPL_CASES=TEXT` runs those alone whose name, row or scene holds it, and
+/// tells every figure; `GPU_VPL_SCALE=full` in full size.
 #[test]
 fn every_case_gives_what_it_must() {
     let cases = cases();
     let wanted = env::var("GPU_VPL_CASES").ok();
     let full = env::var_os("GPU_VPL_SCALE").is_some_and(|scale| scale == "full");
     let scale = if full { Scale::Full } else { Scale::Small };
-    let mut runner = runner(&cases, scale);
-    let mut wrong = Vec::new();
-    let mut count = 0;
+    let mut scenes: Vec<(&str, Vec<&Case>)> = Vec::new();
     for case in &cases.cases {
         let names = [&case.name, &case.row, &case.scene];
         if wanted.as_ref().is_some_and(|text| !names.iter().any(|name| name.contains(text))) {
             continue;
         }
-        let start = Instant::now();
-        let judged = runner.run(case).unwrap();
-        assert!(!judged.is_empty(), "{}: nothing was measured", case.name);
-        count += judged.len();
-        if wanted.is_some() {
-            eprintln!("{:.2} s", start.elapsed().as_secs_f64());
-            judged.iter().for_each(|judged| eprintln!("  {}", describe(judged)));
+        match scenes.iter_mut().find(|(scene, _)| case.check.is_none() && *scene == case.scene) {
+            Some((_, of_scene)) => of_scene.push(case),
+            None => scenes.push((&case.scene, vec![case])),
         }
-        let failed = judged.iter().filter(|judged| judged.verdict == Verdict::Wrong);
-        wrong.extend(failed.map(describe));
     }
-    assert!(count > 0, "no case was run");
-    assert!(wrong.is_empty(), "{} of {count} are wrong:\n{}", wrong.len(), wrong.join("\n"));
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut all = Vec::new();
+        while let Some((_, of_scene)) = scenes.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let mut runner = runner(&cases, scale);
+            all.extend(
+                of_scene.iter().flat_map(|case| judged(&mut runner, case, wanted.is_some())),
+            );
+        }
+        all
+    };
+    let judged: Vec<Judged> = thread::scope(|scope| {
+        let cores = thread::available_parallelism().map_or(1, NonZero::get);
+        let threads: Vec<_> = (0..cores).map(|_| scope.spawn(work)).collect();
+        threads.into_iter().flat_map(|thread| thread.join().unwrap()).collect()
+    });
+    assert!(!judged.is_empty(), "no case was run");
+    let wrong: Vec<_> =
+        judged.iter().filter(|one| one.verdict == Verdict::Wrong).map(describe).collect();
+    let (some, all) = (wrong.len(), judged.len());
+    assert!(wrong.is_empty(), "{some} of {all} are wrong:\n{}", wrong.join("\n"));
+}
+
+/// What came of a case; with `tell`, it is printed.
+fn judged(runner: &mut Runner<'_>, case: &Case, tell: bool) -> Vec<Judged> {
+    let start = Instant::now();
+    let judged = runner.run(case).unwrap();
+    assert!(!judged.is_empty(), "{}: nothing was measured", case.name);
+    if tell {
+        let figures: Vec<_> = judged.iter().map(describe).collect();
+        eprintln!("{:.2} s\n  {}", start.elapsed().as_secs_f64(), figures.join("\n  "));
+    }
+    judged
 }
 
 #[test]

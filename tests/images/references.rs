@@ -4,7 +4,7 @@ use std::env;
 use std::path::Path;
 
 use crate::common::compare::{Tolerance, check, compare, load, references, save};
-use crate::common::{Rng, difference, frame, open_gpu, room};
+use crate::common::{Rng, difference, frame, gpu, room};
 use glam::{DVec3, dvec3};
 use gpu_vpl::image::Image;
 use gpu_vpl::render::{Clamp, Method, Prepared, Settings};
@@ -31,7 +31,7 @@ fn scenes_look_as_they_did() {
     for (scene, source, size) in scenes {
         let mut loaded = Scene::load(source).unwrap();
         loaded.camera.size = size;
-        let prepared = Prepared::new(open_gpu(), loaded, &settings(Method::Vpl)).unwrap();
+        let prepared = Prepared::new(gpu().clone(), loaded, &settings(Method::Vpl)).unwrap();
         let methods = [
             Method::Vpl,
             Method::Both,
@@ -54,8 +54,8 @@ fn scenes_look_as_they_did() {
 /// many whole samples.
 #[test]
 fn antialiased_edges_are_near_those_of_many_samples() {
-    for gpu in [open_gpu(), open_gpu().without_subgroups()] {
-        let scene = room(1.0, DVec3::ZERO, [80, 48]).scene();
+    for gpu in [gpu().clone(), gpu().clone().without_subgroups()] {
+        let scene = room(1.0, DVec3::ZERO, [40, 24]).scene();
         let prepared = Prepared::new(gpu, scene, &Settings::default()).unwrap();
         let direct = |samples, edge_samples| {
             let light_samples = Some(256 / samples);
@@ -132,7 +132,7 @@ fn render(scale: f64, offset: DVec3, size: [u32; 2], settings: &Settings) -> Ima
 fn threads_change_no_bit() {
     let scene = room(1.0, DVec3::ZERO, [40, 24]).scene();
     let settings = Settings { samples: 2, ..settings(Method::Vpl) };
-    let prepared = Prepared::new(open_gpu(), scene, &settings).unwrap();
+    let prepared = Prepared::new(gpu().clone(), scene, &settings).unwrap();
     let with = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| frame(&prepared, &settings).image.pixels)
@@ -147,7 +147,7 @@ fn threads_change_no_bit() {
 fn plain_kernels_give_the_image_of_those_with_subgroups() {
     for clamp in [Clamp::Auto, Clamp::Off] {
         let settings = Settings { clamp, ..settings(Method::Vpl) };
-        let images = [open_gpu(), open_gpu().without_subgroups()].map(|gpu| {
+        let images = [gpu().clone(), gpu().clone().without_subgroups()].map(|gpu| {
             let scene = room(1.0, DVec3::ZERO, [40, 24]).scene();
             let prepared = Prepared::new(gpu, scene, &settings).unwrap();
             frame(&prepared, &settings)
@@ -206,7 +206,7 @@ fn neither_scale_nor_place_changes_the_image() {
 /// change the image.
 #[test]
 fn long_loops_are_run_to_their_end() {
-    let mut build = room(1.0, DVec3::ZERO, [24, 16]);
+    let mut build = room(1.0, DVec3::ZERO, [16, 8]);
     let black = build.material([0.0; 3], [0.0; 3], false);
     let mut random = Rng(5);
     for _ in 0..2500 {
@@ -217,7 +217,7 @@ fn long_loops_are_run_to_their_end() {
     }
     let settings = Settings { light_paths: 64, ..settings(Method::Vpl) };
     let scene = build.scene();
-    let images = [open_gpu(), open_gpu().without_subgroups()].map(|gpu| {
+    let images = [gpu().clone(), gpu().clone().without_subgroups()].map(|gpu| {
         let prepared = Prepared::new(gpu, scene.clone(), &settings).unwrap();
         frame(&prepared, &settings)
     });

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::common::{Build, frame, furnace, open_gpu};
+use crate::common::{Build, frame, furnace, gpu};
 use glam::{DVec3, dvec3};
 use gpu_vpl::render::{Bounces, Clamp, Direct, Method, Prepared, Settings, light_paths};
 
@@ -71,7 +71,7 @@ fn every_pixel_is_the_sum_over_the_vpls() {
             edge_samples: 1,
             ..settings(paths, bounces)
         };
-        let prepared = Prepared::new(open_gpu(), build.scene(), &settings).unwrap();
+        let prepared = Prepared::new(gpu().clone(), build.scene(), &settings).unwrap();
         assert_eq!(prepared.scene.units.scale, 1.0, "positions below are in the file's units");
         let vpls = light_paths(&prepared, &settings, 1);
         assert_eq!(vpls.len() as u32, paths * bounces);

@@ -1,4 +1,4 @@
-//! Error against the number of VPLs, and so against run time: printed as the README's table by
+//! Error against the number of VPLs, and so against run time: printed as a table by
 //!
 //! ```text
 //! cargo test --release --test indirect convergence -- --nocapture
@@ -13,7 +13,7 @@ use gpu_vpl::image::Image;
 use gpu_vpl::render::{Clamp, Direct, Frame, Method, Prepared, Settings, frame};
 use gpu_vpl::scene::{Camera, Scene};
 
-const SIZE: u32 = 48;
+const SIZE: u32 = 32;
 /// Independent VPL sets a row.
 const SEEDS: u32 = 5;
 /// Sixteen times the paths of the last row: its own error is a few per cent of that row's.

@@ -5,7 +5,7 @@
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
-use crate::common::{Build, frame, open_gpu};
+use crate::common::{Build, frame, gpu};
 use glam::{DVec3, dvec3};
 use gpu_vpl::bvh::Bvh;
 use gpu_vpl::render::{Bounces, LightPaths, Lights, Method, Prepared, Settings, Vpl};
@@ -184,7 +184,7 @@ fn bound(scale: f64, paths: u32, ground: f64) -> f64 {
     build.point_light(dvec3(0.1, 0.2, 0.3), [1.0; 3]);
     build.camera(dvec3(0.0, -3.0, 0.0), DVec3::Y, 60.0, [8, 8]);
     let settings = Settings { light_paths: paths, ..Settings::of(Method::Vpl) };
-    let prepared = Prepared::new(open_gpu(), build.scene(), &settings).unwrap();
+    let prepared = Prepared::new(gpu().clone(), build.scene(), &settings).unwrap();
     frame(&prepared, &settings).counts.clamp.unwrap()
 }
 

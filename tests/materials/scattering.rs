@@ -5,7 +5,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::common::{Rng, open_gpu};
+use crate::common::{Rng, gpu};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use gpu_vpl::gpu::{Dispatch, Module, Program};
@@ -301,7 +301,7 @@ fn the_device_scatters_as_the_host() {
             }
         })
         .collect();
-    let gpu = open_gpu();
+    let gpu = gpu().clone();
     let kernel = gpu.compile(&Program::new("scattering", modules)).unwrap();
     let bsdfs: Vec<_> = materials.iter().map(bsdf_record).collect();
     let bsdfs = gpu.storage_of("bsdfs", &bsdfs).unwrap();

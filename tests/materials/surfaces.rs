@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
 
-use crate::common::{self, Build, mean, open_gpu, render_scene};
+use crate::common::{self, Build, gpu, mean, render_scene};
 use glam::{DVec3, Vec3, dvec3};
 use gpu_vpl::render::{Bounces, Clamp, Direct, Method, Prepared, Settings};
 use gpu_vpl::scene::Bsdf;
@@ -111,7 +111,7 @@ fn glossy_room(shininess: f32) -> Build {
     let mut down = quad(0.9, 0.3);
     down.reverse();
     build.polygon(lamp, &down);
-    build.camera(dvec3(-0.9, -0.8, 0.1), dvec3(0.7, 0.65, -0.4), 70.0, [24, 24]);
+    build.camera(dvec3(-0.9, -0.8, 0.1), dvec3(0.7, 0.65, -0.4), 70.0, [16, 16]);
     build
 }
 
@@ -121,7 +121,7 @@ fn vpls_give_what_paths_find_in_glossy_rooms() {
         let bounces = Bounces::Finite(bounces);
         let path = Settings { samples: 1024, bounces, ..Settings::of(Method::Path) };
         let expected = mean(&glossy_room(12.0).render(&path).image.pixels);
-        for gpu in [open_gpu(), open_gpu().without_subgroups()] {
+        for gpu in [gpu().clone(), gpu().clone().without_subgroups()] {
             let many = Settings {
                 light_paths: 20_000,
                 bounces,
@@ -207,7 +207,7 @@ fn light_paths_go_on_at_mirrors() {
     let settings =
         Settings { direct: Direct::Off, bounces: Bounces::Finite(1), ..Settings::of(Method::Vpl) };
     for with_mirror in [false, true] {
-        let prepared = Prepared::new(open_gpu(), room(with_mirror), &settings).unwrap();
+        let prepared = Prepared::new(gpu().clone(), room(with_mirror), &settings).unwrap();
         let vpls = gpu_vpl::render::light_paths(&prepared, &settings, 1);
         let flux: f32 = vpls.iter().map(|vpl| vpl.flux.x).sum();
         // All light arrives: nothing deposits on the mirror, and it takes nothing.

@@ -4,7 +4,7 @@ mod holes;
 
 use std::f64::consts::PI;
 
-use crate::common::{self, Build, Rng, frame, gpu, open_gpu, render_scene};
+use crate::common::{self, Build, Rng, frame, gpu, render_scene};
 use glam::{DVec3, Vec2, Vec3, Vec4, dvec3};
 use gpu_vpl::bvh::Bvh;
 use gpu_vpl::gpu::{Dispatch, Module, Program};
@@ -187,7 +187,7 @@ fn textured_room(size: [u32; 2]) -> Build {
 #[test]
 fn vpls_have_the_albedo_of_their_places() {
     let settings = Settings { light_paths: 2000, ..Settings::of(Method::Vpl) };
-    let prepared = Prepared::new(open_gpu(), textured_room([8, 8]).scene(), &settings).unwrap();
+    let prepared = Prepared::new(gpu().clone(), textured_room([8, 8]).scene(), &settings).unwrap();
     let scene = &prepared.scene;
     assert_eq!(scene.units.scale, 1.0, "positions below are in the file's units");
     let (mut flat, mut round) = (0, 0);
@@ -216,7 +216,7 @@ fn clustered_points_keep_their_albedo() {
         let clustering = Clustering { points: 1 << 20, vpls: 1 << 20, ..Clustering::default() };
         Settings { light_paths: 300, samples: 2, clustering, interleave: 1, ..Settings::of(method) }
     };
-    for gpu in [open_gpu(), open_gpu().without_subgroups()] {
+    for gpu in [gpu().clone(), gpu().clone().without_subgroups()] {
         let scene = textured_room([40, 24]).scene();
         let prepared = Prepared::new(gpu, scene, &settings(Method::Vpl)).unwrap();
         let all = frame(&prepared, &settings(Method::Vpl)).image;

@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
 
 use crate::common::paths::{frame, mean_and_error, prepare, settings};
-use crate::common::{open_gpu, room};
+use crate::common::{gpu, room};
 use glam::DVec3;
 use gpu_vpl::image::Image;
 use gpu_vpl::render::{Bounces, Clamp, Method, Prepared, Settings};
@@ -70,7 +70,7 @@ fn dim(image: &Image) -> impl Iterator<Item = (usize, [f64; 3])> {
 #[test]
 fn convergence_and_the_standard_error() {
     const SEEDS: u32 = 12;
-    let prepared = cornell(24);
+    let prepared = cornell(16);
     let reference = frame(&prepared, &settings(4096, Bounces::Unlimited), 1000);
     let mut points = Vec::new();
     for samples in [4, 16, 64, 256] {
@@ -112,7 +112,7 @@ fn adapters_without_subgroups_render_the_same() {
     let settings = settings(16, Bounces::Unlimited);
     let scene = || room(1.0, DVec3::ZERO, [24, 24]).scene();
     let packets = frame(&prepare(scene(), &settings), &settings, 1);
-    let plain = Prepared::new(open_gpu().without_subgroups(), scene(), &settings).unwrap();
+    let plain = Prepared::new(gpu().clone().without_subgroups(), scene(), &settings).unwrap();
     let single = frame(&plain, &settings, 1);
     // A ray through an edge may meet the other triangle.
     let differ =

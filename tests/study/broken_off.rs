@@ -148,7 +148,7 @@ fn write(file: &Path, image: &Image) {
 #[test]
 fn a_wrong_reference_is_caught_and_named() {
     let place = tempfile::tempdir().unwrap();
-    let render = "render builtin:cornell --method path --samples 1024 --size 64x64 --seed 99 \
+    let render = "render builtin:cornell --method path --samples 1024 --size 48x48 --seed 99 \
                   -o good.exr";
     let status = Command::new(env!("CARGO_BIN_EXE_gpu-vpl"))
         .args(render.split_whitespace())
@@ -164,14 +164,14 @@ fn a_wrong_reference_is_caught_and_named() {
     perturbed("bright.exr", &|image| {
         image.pixels.as_flattened_mut().iter_mut().for_each(|value| *value *= 1.01);
     });
-    perturbed("nan.exr", &|image| image.pixels[64 * 5 + 7][1] = f32::NAN);
+    perturbed("nan.exr", &|image| image.pixels[48 * 5 + 7][1] = f32::NAN);
     perturbed("small.exr", &|image| {
-        image.height = 63;
-        image.pixels.truncate(64 * 63);
+        image.height = 47;
+        image.pixels.truncate(48 * 47);
     });
     let against = |reference: &str| {
         let options = "builtin:cornell --method both --vpls 20 --seeds 1";
-        run(place.path(), &format!("{options} --size 64x64 --reference {reference} -o out"))
+        run(place.path(), &format!("{options} --size 48x48 --reference {reference} -o out"))
     };
 
     let (code, stderr) = against("good.exr");
@@ -188,7 +188,7 @@ fn a_wrong_reference_is_caught_and_named() {
     assert!(stderr.contains("nan.exr: pixel (7, 5) is not finite"), "{stderr}");
     let (code, stderr) = against("small.exr");
     assert_eq!(code, Some(2), "{stderr}");
-    assert!(stderr.contains("small.exr: it is 64 x 63 pixels"), "{stderr}");
+    assert!(stderr.contains("small.exr: it is 48 x 47 pixels"), "{stderr}");
 }
 
 #[test]
