@@ -10,8 +10,6 @@ use std::{env, fs, thread};
 
 use gpu_vpl::cli;
 use gpu_vpl::extremes::checks::CHECKS;
-use gpu_vpl::extremes::checks::CHECKS;
-use gpu_vpl::extremes::{CASES, Case, Cases, Expect, Judged, Runner, Scale, Verdict};
 use gpu_vpl::extremes::{CASES, Case, Cases, Expect, Judged, Runner, Scale, Verdict};
 use gpu_vpl::gpu::AdapterChoice;
 
