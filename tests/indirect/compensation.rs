@@ -83,8 +83,8 @@ fn corners_are_those_of_the_path_tracer() {
             {
                 let settings = Settings {
                     direct: Direct::Off,
-                    light_paths: light_paths(1000, clamp),
-                    samples: 16,
+                    light_paths: light_paths(2000, clamp),
+                    samples: 8,
                     edge_samples: 16,
                     ..compensated(method, clamp, bounces)
                 };
@@ -93,7 +93,7 @@ fn corners_are_those_of_the_path_tracer() {
                 let (mean_got, mean_expected) =
                     (mean(&frame.image.pixels), mean(&expected.image.pixels));
                 assert!(off(mean_got, mean_expected) < 0.015, "{what}: {mean_got:?}");
-                // 1024 compensating paths a tile and 16,000 light paths: the worst of 16 tiles. With
+                // 512 compensating paths a tile and 16,000 light paths: the worst of 16 tiles. With
                 // the bound on and nothing given back a corner lacks more than half.
                 let tiles = tiles_of(&frame);
                 let worst = largest(tiles.iter().zip(&reference).map(|(a, b)| off(*a, *b)));
@@ -131,13 +131,13 @@ fn glossy_corners_are_those_of_the_path_tracer() {
     let path = Settings { samples: 1024, bounces, direct, ..Settings::of(Method::Path) };
     let path = render(gpu().clone(), &scene, &path);
     for clamp in [Clamp::At(1e-6), Clamp::At(0.5), Clamp::Auto] {
-        let settings = Settings { direct, samples: 32, ..compensated(Method::Vpl, clamp, bounces) };
+        let settings = Settings { direct, samples: 16, ..compensated(Method::Vpl, clamp, bounces) };
         let got = render(gpu().clone(), &scene, &settings);
         for channel in 0..3 {
             let (expected, error) = mean_and_error(&path, channel);
             let (value, _) = mean_and_error(&got, channel);
             let off = (value / expected - 1.0).abs();
-            // 18,432 compensating paths for each lobe, and 4000 light paths.
+            // 9216 compensating paths for each lobe, and 4000 light paths.
             let most = 4.0 * error / expected + 0.01;
             assert!(off < most, "{clamp:?}: {value}, not {expected} ± {error}");
         }

@@ -296,11 +296,13 @@ fn lamps_that_vary() {
             }
         }
         build.camera(dvec3(0.0, -0.9, 0.3), dvec3(0.0, 1.0, 0.1), 80.0, [size; 2]);
-        let samples = if method == Method::Path { 256 } else { 1 };
+        // A path has one shadow ray a vertex.
+        let (samples, light_samples) =
+            if method == Method::Path { (256, None) } else { (1, Some(2048)) };
         let settings = Settings {
             samples,
             light_paths: 20_000,
-            light_samples: Some(2048),
+            light_samples,
             clamp: Clamp::Off,
             ..Settings::of(method)
         };
