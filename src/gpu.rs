@@ -17,10 +17,10 @@ pub use error::GpuError;
 pub use kernel::{Bindings, Kernel};
 pub use layout::{
     AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DirectParams,
-    DirectionalLightRecord, ExpandParams, GlossyVplRecord, InterleaveParams, MaterialRecord,
-    NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams,
-    SphereLightRecord, SpotLightRecord, StartParams, TextureRecord, TriangleRecord,
-    VisibilityParams, VplRecord,
+    DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
+    InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord, PathParams, PathRecord,
+    PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord, SpotLightRecord,
+    StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use shader::{Linked, Module, Program};
 pub use timer::DispatchTimes;

@@ -11,8 +11,9 @@ struct DirectParams {
     nodes: u32,
     sample: u32,
     samples: u32,
-    weight: f32,
-    share: f32,
+    // Of a point, over all dispatches.
+    rays: u32,
+    pad: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: DirectParams;

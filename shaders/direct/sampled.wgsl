@@ -1,4 +1,61 @@
-// Irradiance from lights of some extent, by a stratified sample set.
+// Irradiance from lights of some extent: rays to strata of the lights that the guide chooses, one
+// choice among all kinds. In w, half the difference of the two halves of the rays, mean of the
+// channels: what the filter takes the noise for.
+
+// Of each block and stratum of the lights, its probability and all before it.
+@group(0) @binding(84) var<storage, read> guide: array<f32>;
+// The share of its light that is thought to arrive.
+@group(0) @binding(87) var<storage, read> arriving_share: array<f32>;
+
+// Places on the lights of which a ray chooses one by what it is thought to give: Talbot, Cline and
+// Egbert, "Importance Resampling for Global Illumination", EGSR 2005.
+const CANDIDATES = 2u;
+
+// The stratum whose interval of probability holds u.
+fn choose_stratum(first: u32, u: f32) -> u32 {
+    var low = 0u;
+    var high = params.lights - 1u;
+    while high > low {
+        let middle = (low + high) / 2u;
+        if guide[first + middle] <= u { low = middle + 1u; } else { high = middle; }
+    }
+    return low;
+}
+
+struct Drawn {
+    light: LightSample,
+    // By which its irradiance is multiplied.
+    weight: f32,
+}
+
+fn draw_light(point: Point, row: u32, place: u32, all: u32, stream: u32) -> Drawn {
+    var drawn: Drawn;
+    var sum = 0.0;
+    // One number decides all: what is left of it after a choice is uniform again.
+    var decides = f32(hash(stream ^ hash(place + 1u)) >> 8u) / 16777216.0;
+    for (var i = 0u; i < CANDIDATES; i++) {
+        // Strata of all candidates of all rays; those of a ray are spread over the lights.
+        let u = stratified(i * all + place, 1.0 / f32(CANDIDATES * all), stream);
+        let stratum = choose_stratum(row, u.x);
+        var before = 0.0;
+        if stratum > 0u { before = guide[row + stratum - 1u]; }
+        let probability = max(guide[row + stratum] - before, 1e-9);
+        let inside = vec2f(saturate((u.x - before) / probability), u.y);
+        let light = sample_stratum(stratum, point, inside, params.offset);
+        let gives = given(light) * arriving_share[row + stratum];
+        let weight = gives / probability;
+        sum += weight;
+        let share = select(0.0, weight / sum, weight > 0.0);
+        if decides < share {
+            drawn = Drawn(light, 1.0 / (light.density * gives));
+            decides = decides / share;
+        } else {
+            decides = (decides - share) / max(1.0 - share, 1e-7);
+        }
+    }
+    drawn.weight *= sum / f32(CANDIDATES);
+    return drawn;
+}
 
 // No invocation returns early: a subgroup may trace its rays together.
 @compute @workgroup_size(64)
@@ -6,20 +63,32 @@ fn main(
     @builtin(global_invocation_id) id: vec3u,
     @builtin(local_invocation_index) invocation: u32,
 ) {
-    let point = points[min(id.x, params.points - 1u)];
+    let index = min(id.x, params.points - 1u);
+    let point = points[index];
     let is = id.x < params.points && point.surface != NOTHING;
     let origin = offset_position(point, params.offset);
     let stream = hash(hash(params.first_block * 64u + id.x) + params.seed);
+    let row = index / 64u * params.lights;
+    let rays = rays_of(index);
+    let halves = min(rays, 2u);
     var sum = Gathered();
-    for (var i = params.first; i < params.first + params.count; i++) {
-        let drawn = draw_light(point, i, stream);
+    for (var ray = params.first; ray < params.first + params.count; ray++) {
+        let wanted = is && ray < rays;
+        if !some_ray(wanted) { break; }
+        // Each half is stratified by itself, over all samples of the pixel.
+        let half = ray % halves;
+        let own = (rays + 1u - half) / halves;
+        let all = own * params.samples;
+        let place = ray / halves * params.samples + params.sample;
+        let drawn = draw_light(point, row, place, all, hash(stream + half));
         let light = drawn.light;
-        let limit = select(0.0, light.limit, is && light.faces);
+        let limit = select(0.0, light.limit, wanted && drawn.weight > 0.0);
         let hit = traverse(origin, light.toward, limit, params.nodes, true, invocation);
         if limit > 0.0 && hit.triangle == NOTHING {
-            let irradiance = light.radiance * (light.geometry * drawn.weight);
-            sum += arriving(point, normalize(light.toward), irradiance);
+            let weight = light.geometry * drawn.weight / f32(own * halves);
+            let arrived = arriving(point, normalize(light.toward), light.radiance * weight);
+            sum += with_half_difference(arrived, select(0.5, -0.5, half == 1u) * f32(halves));
         }
     }
-    if is { irradiance[id.x] += sum * params.share; }
+    if is { irradiance[id.x] += sum; }
 }

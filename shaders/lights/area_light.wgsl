@@ -13,7 +13,7 @@ struct AreaLight {
     pad: f32,
 }
 
-@group(0) @binding(9) var<storage, read> lights: array<AreaLight>;
+@group(0) @binding(9) var<storage, read> area_lights: array<AreaLight>;
 
 // A place on a light.
 struct TriangleSample {
@@ -29,11 +29,22 @@ fn uniform_on_triangle(light: AreaLight, u: vec2f) -> TriangleSample {
     return TriangleSample(vec3f(1.0 - root, root * (1.0 - u.y), root * u.y), 0.0);
 }
 
+// The light whose interval of probability holds u.
+fn choose_area_light(u: f32) -> u32 {
+    var low = 0u;
+    var high = arrayLength(&area_lights);
+    while high - low > 1u {
+        let middle = (low + high) / 2u;
+        if area_lights[middle].before <= u { low = middle; } else { high = middle; }
+    }
+    return low;
+}
+
 // A place on the lights.
-fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> LightSample {
+fn sample_area_light(point: Point, at: vec2f, offset: f32) -> LightSample {
     var u = at;
-    let index = choose_light(u.x, light_count);
-    let light = lights[index];
+    let index = choose_area_light(u.x);
+    let light = area_lights[index];
     u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
     let place = sample_triangle(point, light, u);
     let on_light =

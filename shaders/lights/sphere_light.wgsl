@@ -12,12 +12,23 @@ struct SphereLight {
     pad1: u32,
 }
 
-@group(0) @binding(9) var<storage, read> lights: array<SphereLight>;
+@group(0) @binding(82) var<storage, read> sphere_lights: array<SphereLight>;
+
+// The light whose interval of probability holds u.
+fn choose_sphere_light(u: f32) -> u32 {
+    var low = 0u;
+    var high = arrayLength(&sphere_lights);
+    while high - low > 1u {
+        let middle = (low + high) / 2u;
+        if sphere_lights[middle].before <= u { low = middle; } else { high = middle; }
+    }
+    return low;
+}
 
 // A direction to the lights; densities are by solid angle.
-fn sample_light(point: Point, at: vec2f, light_count: u32, offset: f32) -> LightSample {
+fn sample_sphere_light(point: Point, at: vec2f, offset: f32) -> LightSample {
     var u = at;
-    let light = lights[choose_light(u.x, light_count)];
+    let light = sphere_lights[choose_sphere_light(u.x)];
     u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
     let cone = cone_of_sphere(point, light.center, light.radius);
     let between = light.center - point.position;

@@ -12,3 +12,13 @@ fn gathered_by(lobe: u32, light: vec4f) -> Gathered {
 fn with_clamped(gathered: Gathered, other: Gathered) -> Gathered {
     return vec4f(gathered.rgb, other.w);
 }
+
+// The light with this share of its mean in w.
+fn with_half_difference(gathered: Gathered, share: f32) -> Gathered {
+    return vec4f(gathered.rgb, share * (gathered.r + gathered.g + gathered.b) / 3.0);
+}
+
+// Its mean, and the half difference that it holds.
+fn mean_and_difference(gathered: Gathered) -> vec2f {
+    return vec2f((gathered.r + gathered.g + gathered.b) / 3.0, gathered.w);
+}

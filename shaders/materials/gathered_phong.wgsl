@@ -13,3 +13,16 @@ fn gathered_by(lobe: u32, light: vec4f) -> Gathered {
 fn with_clamped(gathered: Gathered, other: Gathered) -> Gathered {
     return Gathered(vec4f(gathered[0].rgb, other[0].w), vec4f(gathered[1].rgb, other[1].w));
 }
+
+// The light with this share of its means in w.
+fn with_half_difference(gathered: Gathered, share: f32) -> Gathered {
+    let diffuse = share * (gathered[0].r + gathered[0].g + gathered[0].b) / 3.0;
+    let glossy = share * (gathered[1].r + gathered[1].g + gathered[1].b) / 3.0;
+    return Gathered(vec4f(gathered[0].rgb, diffuse), vec4f(gathered[1].rgb, glossy));
+}
+
+// Their mean, and the half difference that they hold.
+fn mean_and_difference(gathered: Gathered) -> vec2f {
+    let sum = gathered[0] + gathered[1];
+    return vec2f((sum.r + sum.g + sum.b) / 3.0, sum.w);
+}

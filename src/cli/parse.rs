@@ -1,6 +1,6 @@
 //! The values of options, and how a wrong one is told.
 
-use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative};
+use crate::render::{Bounces, Clamp, Direct, Merge, Method, Representative, Settings};
 
 pub fn method(text: &str) -> Result<Method, String> {
     if let Some(method) = Method::ALL.into_iter().find(|method| method.name() == text) {
@@ -87,6 +87,28 @@ pub fn limit(text: &str) -> Result<f64, String> {
 /// The error at the end of a colour scale.
 pub fn scale(text: &str) -> Result<f64, String> {
     number(text).ok().filter(|value| *value > 0.0).ok_or_else(|| "give a number above 0".to_owned())
+}
+
+/// A number of light samples; none is auto.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LightSamples(pub Option<u32>);
+
+pub fn light_samples(text: &str) -> Result<LightSamples, String> {
+    if text == "auto" {
+        return Ok(LightSamples(None));
+    }
+    let most = Settings::MOST_LIGHT_SAMPLES;
+    let count = text.parse().ok().filter(|count| (1..=most).contains(count));
+    let count = count.ok_or_else(|| format!("give a number from 1 to {most}, or auto"))?;
+    Ok(LightSamples(Some(count)))
+}
+
+pub fn switch(text: &str) -> Result<bool, String> {
+    match text {
+        "on" => Ok(true),
+        "off" => Ok(false),
+        _ => Err("give on or off".to_owned()),
+    }
 }
 
 /// Makes one line of clap's many: what is wrong, and its tips, without its usage.

@@ -6,12 +6,13 @@ mod params;
 mod scene;
 
 pub use lights::{
-    AreaLightRecord, DirectionalLightRecord, GlossyVplRecord, PointLightRecord, SphereLightRecord,
-    SpotLightRecord, VplRecord,
+    AreaLightRecord, DirectionalLightRecord, GlossyVplRecord, LightStratumRecord, PointLightRecord,
+    SphereLightRecord, SpotLightRecord, VplRecord,
 };
 pub use params::{
-    ArrivalRecord, CameraParams, CompensatedParams, DirectParams, ExpandParams, InterleaveParams,
-    PathParams, PathRecord, PathSum, ShadeParams, StartParams, VisibilityParams,
+    ArrivalRecord, CameraParams, CompensatedParams, DirectParams, ExpandParams, FilterParams,
+    GuideParams, InterleaveParams, PathParams, PathRecord, PathSum, ShadeParams, StartParams,
+    VisibilityParams,
 };
 pub use scene::{
     BsdfRecord, MaterialRecord, NodeRecord, PointRecord, TextureRecord, TriangleRecord,

@@ -19,7 +19,10 @@ use super::settings::{Method, Sharing};
 use crate::gpu::{Program, TriangleRecord};
 pub use camera::{antialias, background, emit, resolve, show, visible_points};
 pub use catalogue::{CATALOGUE, features_of, features_without};
-pub use direct::direct;
+pub use direct::{
+    direct_exact, direct_sampled, filter_guide, filter_level, guide, guide_pilot, guide_unshadowed,
+    pack_surfaces, ray_counts,
+};
 pub use gather::{
     clamped_energy, discontinuity_buffer, join_subsets, reflect, shade, split_subsets,
 };
@@ -30,7 +33,7 @@ pub use visibility::{Emitter, expand, rays_at_once, visibility};
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![expand(), split_subsets()];
+    let mut programs = vec![expand(), split_subsets(), guide()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             // Literals are of triangles alone.
@@ -48,9 +51,17 @@ pub fn all_programs() -> Vec<Program> {
         programs.extend(background(target));
         let shown = [Method::Normal, Method::Depth, Method::Albedo];
         programs.extend(shown.into_iter().filter_map(|method| show(target, method)));
-        for kind in LightKind::ALL.into_iter().filter(|&kind| has_kind(target, kind)) {
+        let kinds = LightKind::ALL.into_iter().filter(|&kind| has_kind(target, kind));
+        let (exact, extended): (Vec<_>, Vec<_>) = kinds.partition(|kind| kind.is_exact());
+        programs.extend(exact.into_iter().map(|kind| direct_exact(target, kind)));
+        programs.extend([pack_surfaces(target), ray_counts(target)]);
+        programs.extend([filter_guide(target), filter_level(target)]);
+        for kinds in extended.iter().map(std::slice::from_ref).chain([&extended[..]]) {
             for near in [false, true] {
-                programs.extend([false, true].map(|many| direct(target, kind, many, near)));
+                let counted = [false, true].into_iter();
+                programs.extend(counted.map(|is| direct_sampled(target, kinds, near, is)));
+                programs.push(guide_unshadowed(target, kinds, near));
+                programs.push(guide_pilot(target, kinds, near));
             }
         }
         let sharing = [Sharing::Cluster, Sharing::Fuzzy];

@@ -9,6 +9,7 @@ mod near;
 mod point;
 mod sphere;
 mod start;
+mod strata;
 mod table;
 
 use std::f64::consts::PI;
@@ -27,6 +28,7 @@ pub use bounds::Bounds;
 pub use environment::EnvironmentLight;
 pub use kind::LightKind;
 pub use start::Start;
+pub use strata::strata;
 pub use table::Table;
 
 /// All lights of a scene.

@@ -82,10 +82,14 @@ impl Prepared {
 
     /// The buffers of the scene, by the names by which shaders know them.
     pub fn named(&self) -> impl Iterator<Item = (&str, &wgpu::Buffer)> {
-        let is = |(kind, _): &&(LightKind, wgpu::Buffer)| *kind == LightKind::Environment;
-        let environment = self.light_tables.iter().find(is).map(|(_, of)| ("environment", of));
+        let lights = self.light_tables.iter().filter_map(|(kind, of)| match kind {
+            LightKind::Area => Some(("area_lights", of)),
+            LightKind::Sphere => Some(("sphere_lights", of)),
+            LightKind::Environment => Some(("environment", of)),
+            LightKind::Point | LightKind::Spot | LightKind::Directional => None,
+        });
         let texels = self.environment_texels.iter().map(|of| ("environment_texels", of));
-        self.tables.iter().map(|(name, of)| (*name, of)).chain(environment).chain(texels)
+        self.tables.iter().map(|(name, of)| (*name, of)).chain(lights).chain(texels)
     }
 
     /// Bytes of the scene's buffers on the device.

@@ -157,6 +157,8 @@ pub struct Settings {
     /// Shadow rays to area lights from each visible point; `None` chooses so that a pixel
     /// gets 16 over all its samples. With clusters, from each cluster: 256. Paths have one.
     pub light_samples: Option<u32>,
+    /// Whether light samples are combined over pixels that see the same surface.
+    pub direct_filter: bool,
     /// Bound on G.
     pub clamp: Clamp,
     /// Whether what the bound removes is given back by short paths (Kollig and Keller 2004).
@@ -223,6 +225,7 @@ impl Settings {
             bounces: Bounces::Finite(2),
             direct: Direct::PerPixel,
             light_samples: None,
+            direct_filter: true,
             clamp: Clamp::Auto,
             compensate: false,
             samples: if method == Method::Path { 16 } else { 1 },
@@ -284,10 +287,30 @@ impl Settings {
         self.light_samples.unwrap_or(256)
     }
 
-    /// Shadow rays to area lights from each visible point.
+    /// Whether light samples are combined over pixels. Not where a pixel has so many visible points
+    /// that each takes one: there is nothing to tell its noise by, and little noise.
+    pub fn filters_direct(&self) -> bool {
+        let combines = self.method.is_lit() && self.method != Method::Path;
+        combines && self.direct_filter && self.light_samples_per_point() > 1
+    }
+
+    /// Whether visible points take numbers of light samples of their own.
+    pub fn counts_light_samples(&self) -> bool {
+        self.filters_direct() && self.light_samples.is_none()
+    }
+
+    /// Shadow rays from each visible point to the lights that have some extent.
     pub fn light_samples_per_point(&self) -> u32 {
-        /// A pixel gets so many over all its samples, unless the user says otherwise.
+        /// A pixel gets so many over all its samples, unless the user says otherwise: if they are
+        /// combined with those of the pixels around, or not.
+        const COMBINED: u32 = 4;
         const PER_PIXEL: u32 = 16;
-        self.light_samples.unwrap_or(PER_PIXEL.div_ceil(self.samples)).max(1)
+        match self.light_samples {
+            Some(count) => count.max(1),
+            None if self.direct_filter && self.samples <= PER_PIXEL => {
+                COMBINED.div_ceil(self.samples).max(2)
+            }
+            None => PER_PIXEL.div_ceil(self.samples),
+        }
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::super::parse;
+use super::super::parse::{self, LightSamples};
 use super::aov::Aov;
 use crate::error::Error;
 use crate::render::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
@@ -49,11 +49,18 @@ pub struct RenderArgs {
     #[arg(long, default_value = "per-pixel", value_parser = parse::direct)]
     pub direct: Direct,
 
-    /// Shadow rays to area lights from each visible point, or cluster [default: 16 a pixel, 256 a
-    /// cluster]; not for path, which has one a vertex
-    #[arg(long, allow_negative_numbers = true, value_name = "S",
-          value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_LIGHT_SAMPLES)))]
-    pub light_samples: Option<u32>,
+    /// Shadow rays from each visible point, or cluster, to all lights that have some extent, or auto:
+    /// 4 a pixel, up to 16 where few pixels around see the same surface, and 256 a cluster; not for
+    /// path, which has one a vertex
+    #[arg(long, allow_negative_numbers = true, value_name = "S|auto", default_value = "auto",
+          value_parser = parse::light_samples)]
+    pub light_samples: LightSamples,
+
+    /// Whether light samples are combined over pixels that see the same surface, as far as their
+    /// noise hides a difference: on or off
+    #[arg(long, value_name = "WHETHER", default_value = "on", value_parser = parse::switch,
+          action = clap::ArgAction::Set)]
+    pub direct_filter: bool,
 
     /// Bound on the geometry term, in 1/length² of the scene's units, or auto, or off
     #[arg(long, value_name = "BOUND", default_value = "auto", value_parser = parse::clamp,
@@ -165,7 +172,8 @@ impl RenderArgs {
             light_paths: self.vpls,
             bounces: self.bounces,
             direct: self.direct,
-            light_samples: self.light_samples,
+            light_samples: self.light_samples.0,
+            direct_filter: self.direct_filter,
             clamp: self.clamp,
             compensate: self.compensate,
             samples: self.samples.unwrap_or(defaults.samples),

@@ -141,3 +141,18 @@ pub struct SphereLightRecord {
     /// Unused.
     pub pad: [u32; 2],
 }
+
+/// A stratum of the lights that have some extent: a rectangle in the square from which the lights of a
+/// kind are drawn, 32 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct LightStratumRecord {
+    /// Its corner.
+    pub low: [f32; 2],
+    /// Its extent.
+    pub extent: [f32; 2],
+    /// Of the lights: 0 emitting triangles, 1 emitting spheres, 2 the environment.
+    pub kind: u32,
+    /// Unused.
+    pub pad: [u32; 3],
+}

@@ -46,7 +46,7 @@ pub struct CameraParams {
 pub struct DirectParams {
     /// Points of the tile.
     pub points: u32,
-    /// Lights in the buffer.
+    /// Lights in the buffer, or strata of them.
     pub lights: u32,
     /// The first point light, or light sample, of this dispatch.
     pub first: u32,
@@ -64,10 +64,52 @@ pub struct DirectParams {
     pub sample: u32,
     /// Samples a pixel.
     pub samples: u32,
-    /// One over the light samples of all samples of a pixel.
-    pub weight: f32,
-    /// One over the light samples of a point.
-    pub share: f32,
+    /// Light samples of a point.
+    pub rays: u32,
+    /// Unused.
+    pub pad: u32,
+}
+
+/// Parameters of the filter of direct light.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct FilterParams {
+    /// Width of the tile in pixels.
+    pub width: u32,
+    /// Height of the tile in pixels.
+    pub height: u32,
+    /// Pixels between taps.
+    pub step: u32,
+    /// 1 for the last level, which writes in the order of points, else 0.
+    pub last: u32,
+    /// By which the variance of a difference is multiplied for one that counts 1/e.
+    pub tolerance: f32,
+    /// Light samples of a point that has many like neighbours.
+    pub rays: u32,
+    /// Unused.
+    pub pad: [u32; 2],
+}
+
+/// Parameters of the stages that guide light samples.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct GuideParams {
+    /// Blocks of the tile.
+    pub blocks: u32,
+    /// Blocks across the image.
+    pub across: u32,
+    /// First 8 × 8 block of the tile.
+    pub first_block: u32,
+    /// Strata of the lights.
+    pub strata: u32,
+    /// Seed of the frame.
+    pub seed: u32,
+    /// Distance by which shadow rays are kept off surfaces.
+    pub offset: f32,
+    /// Number of BVH nodes.
+    pub nodes: u32,
+    /// Of the pilot rays.
+    pub round: u32,
 }
 
 /// Parameters of the visibility stage.

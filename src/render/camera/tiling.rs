@@ -49,7 +49,7 @@ impl Tiling {
     pub fn of(camera: &Camera, settings: &Settings) -> Self {
         let own_rows = settings.method.is_indirect() && !settings.method.clusters_points();
         let blocks = if own_rows && !settings.interleaves() { 4096 } else { 16_384 };
-        match settings.interleaves() || settings.antialiases() {
+        match settings.interleaves() || settings.antialiases() || settings.filters_direct() {
             true => Self::of_rows(camera, blocks, settings.samples),
             false => Self::of_runs(camera, blocks, settings.samples),
         }

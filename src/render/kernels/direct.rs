@@ -1,36 +1,101 @@
 //! The programs of light straight from its source.
 
 use super::catalogue::{
-    DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, DRAW_ONE, DRAW_RESAMPLED, SAMPLING, TRIANGLE_AREA,
-    TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
+    DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, FILTER_GUIDE, FILTER_LEVEL, FILTER_SURFACES,
+    GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, ONE_SURFACE, PACK_SURFACES, PIXELS, RAY,
+    RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING, TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES,
+    VIEW_DIRECTION,
 };
-use super::lights::lights_by;
-use super::materials::lobes;
+use super::gather::{surface, surface_code};
+use super::lights::{light_strata, lights_of};
+use super::materials::{gathered, lobes};
 use super::trace::rays;
-use crate::gpu::Program;
+use crate::gpu::{Module, Program};
 use crate::render::features::Target;
 use crate::render::lights::LightKind;
 
-/// Direct light from the lights of a kind. From many lights of some extent, those that give much
-/// are sought out; from those that are near to surfaces, places are drawn by solid angle.
-pub fn direct(target: Target, kind: LightKind, many: bool, near: bool) -> Program {
+/// Direct light from the lights of a kind without extent, each by a ray.
+pub fn direct_exact(target: Target, kind: LightKind) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
     modules.extend(lobes(target));
     modules.extend(rays(target));
     modules.push(&DIRECT_PARAMS);
-    let place = if near { &TRIANGLE_SOLID_ANGLE } else { &TRIANGLE_AREA };
-    modules.extend(lights_by(target, kind, place));
-    match kind.is_exact() {
-        true => modules.push(&DIRECT_EXACT),
-        false => modules.extend([if many { &DRAW_RESAMPLED } else { &DRAW_ONE }, &DIRECT_SAMPLED]),
-    }
+    modules.extend(lights_of(target, kind));
+    modules.push(&DIRECT_EXACT);
     let label = match kind {
         LightKind::Point => "direct light, points",
         LightKind::Spot => "direct light, spots",
-        LightKind::Directional => "direct light, directional",
-        LightKind::Area => "direct light, areas",
-        LightKind::Sphere => "direct light, spheres",
-        LightKind::Environment => "direct light, environment",
+        _ => "direct light, directional",
     };
     Program::new(label, modules)
+}
+
+/// Direct light from all lights of some extent, by guided samples. From triangles that are near to
+/// surfaces, places are drawn by solid angle; `counted` is whether points take numbers of samples of
+/// their own.
+pub fn direct_sampled(target: Target, kinds: &[LightKind], near: bool, counted: bool) -> Program {
+    let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
+    modules.extend(lobes(target));
+    modules.extend(rays(target));
+    modules.push(&DIRECT_PARAMS);
+    modules.extend(light_strata(target, kinds, place(near)));
+    modules.extend([if counted { &RAYS_COUNTED } else { &RAYS_ALIKE }, &DIRECT_SAMPLED]);
+    Program::new("direct light, samples", modules)
+}
+
+/// What the strata of the lights give unshadowed to blocks of pixels.
+pub fn guide_unshadowed(target: Target, kinds: &[LightKind], near: bool) -> Program {
+    let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION, &RAY];
+    modules.extend(light_strata(target, kinds, place(near)));
+    modules.extend([&GUIDE_PARAMS, &GUIDE_UNSHADOWED]);
+    Program::new("direct light, unshadowed", modules)
+}
+
+/// Pilot rays from blocks of pixels to strata of the lights.
+pub fn guide_pilot(target: Target, kinds: &[LightKind], near: bool) -> Program {
+    let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
+    modules.extend(rays(target));
+    modules.extend(light_strata(target, kinds, place(near)));
+    modules.extend([&GUIDE_PARAMS, &GUIDE_PILOT]);
+    Program::new("direct light, pilot rays", modules)
+}
+
+/// The probabilities of strata by what pilot rays found.
+pub fn guide() -> Program {
+    Program::new("direct light, guide", vec![&TYPES, &GUIDE_PARAMS, &GUIDE])
+}
+
+/// The surfaces of visible points in the order of pixels.
+pub fn pack_surfaces(target: Target) -> Program {
+    let mut modules = vec![&TYPES, &PIXELS];
+    modules.extend(surface_code(target));
+    modules.push(&PACK_SURFACES);
+    Program::new("direct light, surfaces", modules)
+}
+
+/// How many light samples visible points take.
+pub fn ray_counts(target: Target) -> Program {
+    let modules = [&filtered(target)[..], &[&RAY_COUNTS]].concat();
+    Program::new("direct light, ray counts", modules)
+}
+
+/// What the filter of direct light compares.
+pub fn filter_guide(target: Target) -> Program {
+    let modules = [&filtered(target)[..], &[gathered(target), &FILTER_GUIDE]].concat();
+    Program::new("direct light, local means", modules)
+}
+
+/// A level of the filter of direct light.
+pub fn filter_level(target: Target) -> Program {
+    let modules = [&filtered(target)[..], &[gathered(target), &FILTER_LEVEL]].concat();
+    Program::new("direct light, filter", modules)
+}
+
+/// What all that looks at the pixels around one shares.
+fn filtered(target: Target) -> Vec<&'static Module> {
+    vec![&TYPES, &PIXELS, &ONE_SURFACE, surface(target), &FILTER_SURFACES]
+}
+
+fn place(near: bool) -> &'static Module {
+    if near { &TRIANGLE_SOLID_ANGLE } else { &TRIANGLE_AREA }
 }

@@ -25,10 +25,7 @@ pub fn join_subsets(target: Target, probed: bool, compensated: bool) -> Program 
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
     let given = if compensated { &COMPENSATION_ADDED } else { &COMPENSATION_NONE };
     let mut modules = vec![&TYPES, gathered(target), &PIXELS, &SUBSETS, signature, given];
-    modules.push(surface(target));
-    if target.features.phong {
-        modules.extend([&BSDF, &SURFACE_LOBE_CODE]);
-    }
+    modules.extend(surface_code(target));
     modules.push(&JOIN_SUBSETS);
     Program::new("collection", modules)
 }
@@ -47,8 +44,16 @@ pub fn discontinuity_buffer(target: Target) -> Program {
     Program::new("combination", modules)
 }
 
+/// The code that tells the surfaces of visible points apart.
+pub fn surface_code(target: Target) -> Vec<&'static Module> {
+    match target.features.phong {
+        true => vec![surface(target), &BSDF, &SURFACE_LOBE_CODE],
+        false => vec![surface(target)],
+    }
+}
+
 /// What tells the surfaces of pixels apart.
-fn surface(target: Target) -> &'static Module {
+pub fn surface(target: Target) -> &'static Module {
     if target.features.phong { &SURFACE_LOBED } else { &SURFACE_PLAIN }
 }
 

@@ -1,45 +1,71 @@
 //! How places on the lights of each kind are drawn: the modules that lights choose.
 
 use super::catalogue::{
-    AREA_LIGHT, CHOOSE_LIGHT, DIRECTIONAL_LIGHT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT,
-    ENVIRONMENT_IMAGE, ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, HEMISPHERE,
-    LIGHT_SAMPLE, LOCAL_LIGHT, POINT_LIGHT, SPHERE_CONE, SPHERE_LIGHT, SPOT_LIGHT, TRIANGLE_AREA,
+    AREA_LIGHT, AREA_LIGHT_NONE, DIRECTIONAL_LIGHT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT,
+    ENVIRONMENT_IMAGE, ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, ENVIRONMENT_LIGHT_NONE,
+    HEMISPHERE, LIGHT_SAMPLE, LIGHT_STRATA, LOCAL_LIGHT, ONLY_AREA, ONLY_ENVIRONMENT, ONLY_SPHERE,
+    POINT_LIGHT, SPHERE_CONE, SPHERE_LIGHT, SPHERE_LIGHT_NONE, SPOT_LIGHT, TRIANGLE_AREA,
 };
 use super::materials::light_emission_scale;
 use crate::gpu::Module;
 use crate::render::features::{Sky, Target};
 use crate::render::lights::LightKind;
 
-/// What a kernel needs to draw from the lights of a kind with a density that is known by area.
+/// What a kernel needs to draw from the lights of a kind alone, with a density that is known by area.
 pub fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
-    lights_by(target, kind, &TRIANGLE_AREA)
-}
-
-/// What a kernel needs to draw from the lights of a kind; `place` says where on a triangle.
-pub fn lights_by(target: Target, kind: LightKind, place: &'static Module) -> Vec<&'static Module> {
     match kind {
         LightKind::Point => vec![&LIGHT_SAMPLE, &POINT_LIGHT, &LOCAL_LIGHT],
         LightKind::Spot => vec![&LIGHT_SAMPLE, &SPOT_LIGHT, &LOCAL_LIGHT],
         LightKind::Directional => vec![&LIGHT_SAMPLE, &DIRECTIONAL_LIGHT],
         LightKind::Area => {
-            let mut modules = light_emission_scale(target.features);
-            modules.extend([&LIGHT_SAMPLE, &CHOOSE_LIGHT, &AREA_LIGHT, place]);
-            modules
+            [&[&LIGHT_SAMPLE][..], &area_lights(target, &TRIANGLE_AREA), &[&ONLY_AREA]].concat()
         }
-        LightKind::Sphere => {
-            vec![&LIGHT_SAMPLE, &CHOOSE_LIGHT, &HEMISPHERE, &SPHERE_CONE, &SPHERE_LIGHT]
+        LightKind::Sphere => [&[&LIGHT_SAMPLE][..], &SPHERE_LIGHTS, &[&ONLY_SPHERE]].concat(),
+        LightKind::Environment => {
+            [&[&LIGHT_SAMPLE][..], &environment(target), &[&ONLY_ENVIRONMENT]].concat()
         }
-        LightKind::Environment => match target.features.sky {
-            Sky::Image => vec![
-                &LIGHT_SAMPLE,
-                &ENVIRONMENT_IMAGE,
-                &ENVIRONMENT_CELLS,
-                &ENVIRONMENT_LIGHT_IMAGE,
-            ],
-            _ => {
-                vec![&LIGHT_SAMPLE, &HEMISPHERE, &ENVIRONMENT_CONSTANT, &ENVIRONMENT_LIGHT_CONSTANT]
-            }
-        },
+    }
+}
+
+/// What a kernel needs to draw from the strata of all lights that have some extent; `place` says
+/// where on a triangle.
+pub fn light_strata(
+    target: Target,
+    kinds: &[LightKind],
+    place: &'static Module,
+) -> Vec<&'static Module> {
+    let has = |kind| kinds.contains(&kind);
+    let mut modules: Vec<&Module> = vec![&LIGHT_SAMPLE];
+    match has(LightKind::Area) {
+        true => modules.extend(area_lights(target, place)),
+        false => modules.push(&AREA_LIGHT_NONE),
+    }
+    match has(LightKind::Sphere) {
+        true => modules.extend(SPHERE_LIGHTS),
+        false => modules.push(&SPHERE_LIGHT_NONE),
+    }
+    match has(LightKind::Environment) && target.features.sky.shines() {
+        true => modules.extend(environment(target)),
+        false => modules.push(&ENVIRONMENT_LIGHT_NONE),
+    }
+    modules.push(&LIGHT_STRATA);
+    modules
+}
+
+static SPHERE_LIGHTS: [&Module; 3] = [&HEMISPHERE, &SPHERE_CONE, &SPHERE_LIGHT];
+
+/// Emitting triangles.
+fn area_lights(target: Target, place: &'static Module) -> Vec<&'static Module> {
+    let mut modules = light_emission_scale(target.features);
+    modules.extend([&AREA_LIGHT, place]);
+    modules
+}
+
+/// The environment.
+fn environment(target: Target) -> Vec<&'static Module> {
+    match target.features.sky {
+        Sky::Image => vec![&ENVIRONMENT_IMAGE, &ENVIRONMENT_CELLS, &ENVIRONMENT_LIGHT_IMAGE],
+        _ => vec![&ENVIRONMENT_CONSTANT, &ENVIRONMENT_LIGHT_CONSTANT],
     }
 }
 

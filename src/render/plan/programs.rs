@@ -33,15 +33,7 @@ impl Plan {
         }
         programs.extend(self.emission_programs());
         if settings.direct != Direct::Off {
-            for kind in self.kinds() {
-                match Emitter::of(kind).filter(|_| settings.direct == Direct::Clustered) {
-                    Some(emitter) => {
-                        let shade = shade(target, false, settings.sharing(), emitter);
-                        programs.extend([self.visibility_program(emitter), shade]);
-                    }
-                    None => programs.push(self.direct_program(kind)),
-                }
-            }
+            programs.extend(self.direct_programs(settings));
             programs.push(reflect(target));
         }
         if settings.traces_light_paths() {
@@ -93,12 +85,58 @@ impl Plan {
         programs
     }
 
-    /// Direct light from the lights of a kind.
-    pub fn direct_program(&self, kind: LightKind) -> Program {
-        /// A lamp or two, of which all points see much the same.
-        const FEW_LIGHTS: u32 = 16;
-        let many = self.lights.count(kind) > FEW_LIGHTS;
-        kernels::direct(self.target(), kind, many, self.near_lights)
+    /// Those of direct light.
+    fn direct_programs(&self, settings: &Settings) -> Vec<Program> {
+        let target = self.target_of(settings);
+        let shared = |kind| Emitter::of(kind).filter(|_| settings.direct == Direct::Clustered);
+        let mut programs = Vec::new();
+        for emitter in self.kinds().filter_map(shared) {
+            let shade = shade(target, false, settings.sharing(), emitter);
+            programs.extend([self.visibility_program(emitter), shade]);
+        }
+        let (exact, sampled): (Vec<_>, Vec<_>) =
+            self.kinds().filter(|&kind| shared(kind).is_none()).partition(|kind| kind.is_exact());
+        programs.extend(exact.into_iter().map(|kind| self.direct_exact_program(kind)));
+        if !sampled.is_empty() {
+            programs.extend(self.direct_sampled_programs(&sampled, settings));
+            if settings.filters_direct() {
+                programs.extend(self.direct_filter_programs());
+            }
+        }
+        programs
+    }
+
+    /// Direct light from the lights of a kind without extent.
+    pub fn direct_exact_program(&self, kind: LightKind) -> Program {
+        kernels::direct_exact(self.target(), kind)
+    }
+
+    /// Direct light from the lights of kinds that have some: unshadowed light, pilot rays, guide,
+    /// samples.
+    pub fn direct_sampled_programs(
+        &self,
+        kinds: &[LightKind],
+        settings: &Settings,
+    ) -> [Program; 4] {
+        let (target, near) = (self.target(), self.near_lights);
+        let counted = settings.counts_light_samples();
+        [
+            kernels::guide_unshadowed(target, kinds, near),
+            kernels::guide_pilot(target, kinds, near),
+            kernels::guide(),
+            kernels::direct_sampled(target, kinds, near, counted),
+        ]
+    }
+
+    /// The filter of direct light: surfaces, counts of light samples, local means, a level.
+    pub fn direct_filter_programs(&self) -> [Program; 4] {
+        let target = self.target();
+        [
+            kernels::pack_surfaces(target),
+            kernels::ray_counts(target),
+            kernels::filter_guide(target),
+            kernels::filter_level(target),
+        ]
     }
 
     /// Shadow rays between points and lights.
