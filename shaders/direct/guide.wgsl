@@ -6,7 +6,7 @@
 const UNSHADOWED = 0.05;
 const UNIFORM = 0.01;
 // How many pilot rays the mean of all strata counts like, for each.
-const PRIOR = 0.5;
+const PRIOR = 3.0;
 
 var<workgroup> tries: array<atomic<u32>, MOST_STRATA>;
 var<workgroup> arrivals: array<atomic<u32>, MOST_STRATA>;
@@ -18,16 +18,16 @@ fn main(
 ) {
     let block = group.x;
     let column = i32((params.first_block + block) % params.across);
-    for (var around = 0u; around < 9u; around++) {
-        let way = vec2i(i32(around % 3u) - 1, i32(around / 3u) - 1);
+    for (var around = 0u; around < 25u; around++) {
+        let way = vec2i(i32(around % 5u) - 2, i32(around / 5u) - 2);
         let other = i32(block) + way.y * i32(params.across) + way.x;
         let is = other >= 0 && other < i32(params.blocks)
             && column + way.x >= 0 && column + way.x < i32(params.across);
         var pilot = NO_PILOT;
         if is { pilot = pilots[u32(other) * 64u + invocation]; }
         if pilot != NO_PILOT {
-            // Those of the block itself count twice.
-            let counts = select(1u, 2u, around == 4u);
+            // Those nearer count more.
+            let counts = 6u - u32(abs(way.x)) - u32(abs(way.y));
             atomicAdd(&tries[pilot & ~ARRIVED], counts);
             if (pilot & ARRIVED) != 0u { atomicAdd(&arrivals[pilot & ~ARRIVED], counts); }
         }
