@@ -24,7 +24,7 @@ struct GuideParams {
 @group(0) @binding(86) var<storage, read_write> unshadowed: array<f32>;
 @group(0) @binding(87) var<storage, read_write> arriving_share: array<f32>;
 
-const MOST_STRATA = 512u;
+const MOST_STRATA = 384u;
 // Of pilots: none; and a bit of those that arrived.
 const NO_PILOT = 0xffffffffu;
 const ARRIVED = 0x80000000u;

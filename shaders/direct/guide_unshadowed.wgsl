@@ -2,14 +2,18 @@
 
 // Points of a block that are asked.
 const ASKED = 8u;
-// Points of other orientation are in the block, too: a cosine counts as this at least.
-const LEAST_COSINE = 0.03;
+// Others may face elsewhere: a cosine counts as this at least, in blocks of one orientation and in
+// others.
+const LEAST_COSINE = vec2f(0.02, 0.2);
+const ONE_ORIENTATION = 0.99;
 
-fn given_about(point: Point, light: LightSample) -> f32 {
+var<workgroup> uneven: atomic<u32>;
+
+fn given_about(point: Point, light: LightSample, least: f32) -> f32 {
     let cosine = dot(normalize(light.toward), point.normal);
     let mean = (light.radiance.x + light.radiance.y + light.radiance.z) / 3.0;
     let upright = light.geometry / select(cosine, 1e-4, abs(cosine) < 1e-4);
-    return mean * max(upright, 0.0) * max(cosine, LEAST_COSINE) / light.density;
+    return mean * max(upright, 0.0) * max(cosine, least) / light.density;
 }
 
 @compute @workgroup_size(64)
@@ -18,17 +22,24 @@ fn main(
     @builtin(local_invocation_index) invocation: u32,
 ) {
     let block = group.x;
+    let own = points[block * 64u + invocation];
+    let other = points[block * 64u + (invocation ^ 1u)];
+    let far = points[block * 64u + (invocation + 32u) % 64u];
+    let alike = dot(own.normal, other.normal) > ONE_ORIENTATION
+        && dot(own.normal, far.normal) > ONE_ORIENTATION;
+    if !alike { atomicStore(&uneven, 1u); }
+    workgroupBarrier();
+    let least = select(LEAST_COSINE.x, LEAST_COSINE.y, atomicLoad(&uneven) != 0u);
     for (var stratum = invocation; stratum < params.strata; stratum += 64u) {
         var sum = 0.0;
         for (var i = 0u; i < ASKED; i++) {
-            // Every ninth: all columns and rows of the block.
-            let point = points[block * 64u + (9u * i + 4u) % 64u];
+            // One in each eighth of the block.
+            let point = points[block * 64u + 8u * i + (5u * stratum + 3u * i) % 8u];
             let u = fract(vec2f(0.5) + f32(i) * vec2f(0.7548777, 0.5698403));
             let light = sample_stratum(stratum, point, u, params.offset);
-            sum += select(given_about(point, light), 0.0, point.surface == NOTHING);
+            sum += select(given_about(point, light, least), 0.0, point.surface == NOTHING);
         }
         unshadowed[block * params.strata + stratum] = sum;
     }
-    let index = block * 64u + invocation;
-    pilots[index] = NO_PILOT;
+    pilots[block * 64u + invocation] = NO_PILOT;
 }

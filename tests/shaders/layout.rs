@@ -109,8 +109,8 @@ fn records() -> Vec<Record> {
             blocks, nodes, first_ray, rays, edge_rays, offset,
         }),
         record!(DirectParams as "DirectParams" {
-            points, lights, first, count, seed, first_block, offset, nodes, sample, samples, weight,
-            share,
+            points, lights, first, count, seed, first_block, offset, nodes, sample, samples, rays,
+            pad,
         }),
         record!(VisibilityParams as "VisibilityParams" {
             rows, vpls, first_word, matrix_word, offset, nodes, first, count, first_point, pad,
