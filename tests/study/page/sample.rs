@@ -77,6 +77,7 @@ pub fn row(experiment: &str, setting: &str, seconds: f64, total: Option<f64>) ->
         reference: Some("path".to_owned()),
         total: total.map(errors),
         clustering: Some(errors(1e-4 / seconds)),
+        decomposition: None,
         efficiency: total.map(|error| 1.0 / (error * seconds)),
         pareto: Vec::new(),
         image: None,
