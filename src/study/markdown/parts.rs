@@ -41,7 +41,8 @@ pub fn write(out: &mut (impl Write + ?Sized), scene: &SceneResults) -> io::Resul
     let noise = match first.reference_noise {
         Some(_) => "The reference's noise is subtracted.",
         None => {
-            "The reference's noise is not known, and in every figure but those without indirect light or VPLs."
+            "The reference's noise is not known, and in all but what is left without indirect light \
+             or without VPLs."
         }
     };
     writeln!(out, "{noise}\n")?;

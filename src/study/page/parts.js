@@ -29,7 +29,9 @@ function partOf(row, id) {
 /// The shares of a row's relMSE: of each part that it has, and of their interaction.
 function sharesOf(row) {
   const { relmse, interaction } = row.decomposition;
-  const known = SINGLE_PARTS.map(([id, name], style) => ({ id, name, style, share: partOf(row, id)?.share.mean }));
+  const known = SINGLE_PARTS.map(([id, name], style) => {
+    return { id, name, style, share: partOf(row, id)?.share.mean };
+  });
   const all = [...known, { id: "interaction", name: "interaction", style: null, share: interaction.mean }];
   return all
     .filter(({ share }) => isNumber(share) && relmse.mean > 0)
@@ -52,7 +54,8 @@ function showParts() {
   byId("parts-section").hidden = !rows.length;
   if (!rows.length) return;
   const bars = rows.map((row) => ({ row, parts: stacked(sharesOf(row)) }));
-  const ends = bars.flatMap(({ parts }) => parts.flatMap(({ start, share }) => [start, start + Math.abs(share)]));
+  const parts = bars.flatMap((bar) => bar.parts);
+  const ends = parts.flatMap(({ start, share }) => [start, start + Math.abs(share)]);
   const low = Math.min(0, ...ends);
   const axis = { low, size: Math.max(1, ...ends) - low };
   byId("parts").replaceChildren(
@@ -60,7 +63,8 @@ function showParts() {
     ...bars.map((bar) => partsBar(bar, axis)),
     make("div", { class: "scroll" }, partsTable(rows)),
   );
-  byId("parts-noise").textContent = rows.every(({ decomposition }) => isNumber(decomposition.reference_noise))
+  const known = rows.every(({ decomposition }) => isNumber(decomposition.reference_noise));
+  byId("parts-noise").textContent = known
     ? "The reference’s own noise is subtracted."
     : "The reference’s own noise is not known, and is in every figure but those without indirect light or VPLs.";
 }
@@ -86,25 +90,35 @@ function partsBar({ row, parts }, { low, size }) {
   const segment = ({ id, name, style, share, start }) => {
     const text = `${name}: ${signed(100 * share)} %`;
     const where = `left:${place(start)};width:${(100 * Math.abs(share)) / size}%`;
-    return make("i", { class: `part tint ${id}`, style: [partTint(style), where].filter(Boolean).join(";"), title: text });
+    const look = [partTint(style), where].filter(Boolean).join(";");
+    return make("i", { class: `part tint ${id}`, style: look, title: text });
   };
   const line = (value) => make("b", { style: `left:${place(value)}` });
-  const label = `${row.experiment}, ${row.setting}: ${parts.map(({ name, share }) => `${name} ${signed(100 * share)} %`).join(", ")}`;
+  const setting = `${row.experiment}, ${row.setting}`;
+  const shares = parts.map(({ name, share }) => `${name} ${signed(100 * share)} %`);
   return make(
     "div",
     { class: "parts-row" },
-    make("span", {}, `${row.experiment}, ${row.setting}: relMSE ${spreadText(row.decomposition.relmse)}`),
-    make("div", { class: "parts-bar", role: "img", "aria-label": label }, parts.map(segment), line(0), line(1)),
+    make("span", {}, `${setting}: relMSE ${spreadText(row.decomposition.relmse)}`),
+    make(
+      "div",
+      { class: "parts-bar", role: "img", "aria-label": `${setting}: ${shares.join(", ")}` },
+      parts.map(segment),
+      line(0),
+      line(1),
+    ),
   );
 }
 
 function partsTable(rows) {
-  const left = (own) => (own ? [number(own.relmse.mean), make("span", { class: "sd" }, ` ${signed(100 * own.bias.mean, 2)} %`)] : [NOTHING]);
-  const noise = (own) => (own ? [make("span", { class: "sd" }, number(own.noise, 2))] : [NOTHING]);
+  const quiet = (text) => make("span", { class: "sd" }, text);
+  const bias = (own) => quiet(` ${signed(100 * own.bias.mean, 2)} %`);
+  const left = (own) => (own ? [number(own.relmse.mean), bias(own)] : [NOTHING]);
+  const noise = (own) => (own ? [quiet(number(own.noise, 2))] : [NOTHING]);
   const parts = (row, show) => PART_COLUMNS.map(([id]) => show(partOf(row, id)));
   const lines = rows.flatMap((row) => [
     [[`${row.experiment}, ${row.setting}`], left(row.decomposition), ...parts(row, left)],
-    [[make("span", { class: "sd" }, "noise of the converged part, at most")], [""], ...parts(row, noise)],
+    [[quiet("noise of the converged part, at most")], [""], ...parts(row, noise)],
   ]);
   return table([["left with converged"], ["nothing"], ...PART_COLUMNS.map(([, name]) => [name])], lines);
 }
