@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::parts::{Decomposed, Part};
 use super::results::{Errors, Results, Row, Spread};
 use crate::report::BounceLimit;
 
@@ -83,6 +84,11 @@ pub fn write(out: &mut (impl Write + ?Sized), results: &Results) -> io::Result<(
         );
         header.push(format!("{prefix}nonfinite"));
     }
+    let mut rows = results.scenes.iter().flat_map(|scene| &scene.rows);
+    let decomposed = rows.any(|row| row.decomposition.is_some());
+    if decomposed {
+        header.extend(decomposition_columns());
+    }
     writeln!(out, "{}", header.join(","))?;
     for scene in &results.scenes {
         for row in &scene.rows {
@@ -90,6 +96,9 @@ pub fn write(out: &mut (impl Write + ?Sized), results: &Results) -> io::Result<(
             fields.extend(COLUMNS.map(|(_, value)| field(&value(row))));
             fields.extend(errors(row.total.as_ref()));
             fields.extend(errors(row.clustering.as_ref()));
+            if decomposed {
+                fields.extend(decomposition(row.decomposition.as_ref()));
+            }
             writeln!(out, "{}", fields.join(","))?;
         }
     }
@@ -104,6 +113,40 @@ fn errors(errors: Option<&Errors>) -> Vec<String> {
         fields.push(maybe(spread.and_then(|spread| spread.sd)));
     }
     fields.push(maybe(errors.map(|errors| errors.nonfinite)));
+    fields
+}
+
+/// Of the image, then of each part: the relMSE and bias left, and of how much noise of the
+/// converged part that may be.
+fn decomposition_columns() -> Vec<String> {
+    let whole = ["seeds", "relmse", "bias", "reference_noise", "interaction"];
+    let whole = whole.map(|name| format!("decomposed_{name}"));
+    let of_part = |part: Part| {
+        let name = part.name();
+        [
+            format!("without_{name}_relmse"),
+            format!("without_{name}_bias"),
+            format!("without_{name}_noise"),
+        ]
+    };
+    whole.into_iter().chain(Part::ALL.into_iter().flat_map(of_part)).collect()
+}
+
+fn decomposition(decomposed: Option<&Decomposed>) -> Vec<String> {
+    let own = |of: fn(&Decomposed) -> f64| maybe(decomposed.map(of));
+    let mut fields = vec![
+        maybe(decomposed.map(|own| own.seeds)),
+        own(|own| own.relmse.mean),
+        own(|own| own.bias.mean),
+        maybe(decomposed.and_then(|own| own.reference_noise)),
+        own(|own| own.interaction.mean),
+    ];
+    for part in Part::ALL {
+        let left = decomposed.and_then(|own| own.part(part));
+        fields.push(maybe(left.map(|left| left.relmse.mean)));
+        fields.push(maybe(left.map(|left| left.bias.mean)));
+        fields.push(maybe(left.map(|left| left.noise)));
+    }
     fields
 }
 

@@ -1,6 +1,7 @@
 //! What a study tells while it runs.
 
 use super::measure::Measured;
+use super::parts::Decomposition;
 use crate::render::Settings;
 
 /// What a study tells while it runs.
@@ -16,6 +17,30 @@ pub enum Event<'a> {
         passes: u32,
         /// What it took.
         seconds: f64,
+    },
+    /// A frame was rendered by which an error is taken apart.
+    Part {
+        /// The scene.
+        scene: &'a str,
+        /// How it was rendered.
+        settings: &'a Settings,
+        /// With which seed.
+        seed: u32,
+        /// What it took.
+        seconds: f64,
+    },
+    /// An error was taken apart.
+    Decomposed {
+        /// The scene.
+        scene: &'a str,
+        /// How its image was rendered.
+        settings: &'a Settings,
+        /// With which seed.
+        seed: u32,
+        /// What was found.
+        decomposition: &'a Decomposition,
+        /// Whether an earlier run had found it.
+        kept: bool,
     },
     /// A frame was measured.
     Frame {

@@ -1,15 +1,17 @@
 //! Results for people: for each scene a table an experiment, then what was fitted; then the
 //! claims.
 
+mod format;
+mod parts;
+
 use std::io::{self, Write};
 
-use super::results::{Against, Curve, Metric, Results, Row, SceneResults, Spread};
+use super::results::{Against, Curve, Metric, Results, Row, SceneResults};
 use super::verdict::{Claim, Criterion};
+use format::{NOTHING, count, factor, maybe, percent, plural, seconds, signed, small, spread};
 
 /// A column: its heading, and a row's value.
 type Column = (&'static str, fn(&Row) -> String);
-
-const NOTHING: &str = "–";
 
 /// The start of every table.
 const SETTING: [Column; 2] =
@@ -136,6 +138,7 @@ fn write_scene(out: &mut (impl Write + ?Sized), scene: &SceneResults) -> io::Res
             writeln!(out, "\n{line}")?;
         }
     }
+    parts::write(out, scene)?;
     Ok(())
 }
 
@@ -191,64 +194,4 @@ fn claim_row(out: &mut (impl Write + ?Sized), claim: &Claim) -> io::Result<()> {
     });
     let verdict = claim.verdict.name();
     writeln!(out, "| {} | **{verdict}** | {numbers} | {ranges} | {} |", claim.claim, claim.remark)
-}
-
-fn maybe<T>(value: Option<T>, show: impl Fn(T) -> String) -> String {
-    value.map_or(NOTHING.to_owned(), show)
-}
-
-fn spread(value: Spread, show: fn(f64) -> String) -> String {
-    match value.sd {
-        Some(sd) => format!("{} ± {}", show(value.mean), show(sd)),
-        None => show(value.mean),
-    }
-}
-
-fn count(value: Option<u64>) -> String {
-    maybe(value, |value| value.to_string())
-}
-
-fn plural(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
-}
-
-fn seconds(value: f64) -> String {
-    format!("{value:.3}")
-}
-
-fn factor(value: f64) -> String {
-    format!("{value:.2}×")
-}
-
-fn percent(value: f64) -> String {
-    format!("{:.2} %", 100.0 * value)
-}
-
-fn signed(value: f64) -> String {
-    format!("{:+.3} %", 100.0 * value)
-}
-
-/// Three digits that count.
-fn small(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return value.to_string();
-    }
-    let digits = (2.0 - value.abs().log10().floor()).clamp(0.0, 9.0);
-    format!("{value:.0$}", digits as usize)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_have_three_digits() {
-        assert_eq!(small(0.00123456), "0.00123");
-        assert_eq!(small(0.5), "0.500");
-        assert_eq!(small(123.4), "123");
-        assert_eq!(small(0.0), "0");
-        let value = Spread { mean: 0.1, sd: Some(0.02) };
-        assert_eq!(spread(value, seconds), "0.100 ± 0.020");
-        assert_eq!(plural(1, "seed"), "1 seed");
-    }
 }

@@ -5,6 +5,7 @@ use std::time::Instant;
 use serde::{Deserialize, Serialize};
 
 use super::options;
+use super::parts::Decomposition;
 use crate::image::Image;
 use crate::metrics::Comparison;
 use crate::render::{self, Counts, Frame, Prepared, RenderError, Settings};
@@ -22,6 +23,8 @@ pub struct Measured {
     pub total: Option<Comparison>,
     /// Against the frame without clusters.
     pub clustering: Option<Comparison>,
+    /// The error against the reference, taken apart.
+    pub decomposition: Option<Decomposition>,
 }
 
 /// Renders frames of a scene, warm.
@@ -65,6 +68,14 @@ impl<'a> Bench<'a> {
             }
         }
         Ok((frame, times))
+    }
+
+    /// Renders a frame whose time does not matter.
+    ///
+    /// # Errors
+    /// The device fails, or the user interrupts.
+    pub fn image(&self, settings: &Settings, seed: u32) -> Result<Image, RenderError> {
+        Ok(render::frame(self.prepared, &self.camera, settings, seed, &|_, _| {})?.image)
     }
 
     fn timed(&self, settings: &Settings, seed: u32) -> Result<(Frame, FrameTimes), RenderError> {

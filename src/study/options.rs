@@ -80,6 +80,11 @@ pub fn all(settings: &Settings) -> String {
     joined(&values(settings))
 }
 
+/// What tells a frame from others, of a scene with this key.
+pub fn of_frame(scene: &str, settings: &Settings, seed: u32) -> String {
+    format!("{scene} seed {seed} {}", all(settings))
+}
+
 /// The options that trade time for error before all others, and those whose values are not the
 /// defaults of the method.
 pub fn changed(settings: &Settings) -> String {

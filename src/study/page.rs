@@ -17,7 +17,7 @@ const PAGE: &str = include_str!("page/page.html");
 const STYLE: &str = include_str!("page/page.css");
 
 /// One module, in this order.
-const SCRIPTS: [&str; 13] = [
+const SCRIPTS: [&str; 14] = [
     include_str!("page/dom.js"),
     include_str!("page/format.js"),
     include_str!("page/data.js"),
@@ -26,6 +26,7 @@ const SCRIPTS: [&str; 13] = [
     include_str!("page/points.js"),
     include_str!("page/table.js"),
     include_str!("page/notes.js"),
+    include_str!("page/parts.js"),
     include_str!("page/pixels.js"),
     include_str!("page/stage.js"),
     include_str!("page/tools.js"),

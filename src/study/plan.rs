@@ -25,8 +25,24 @@ pub struct Plan {
     pub clustering_seeds: usize,
     /// Pixels near any of the reference brighter than this are left out of all errors.
     pub mask_above: Option<f64>,
+    /// How errors are taken apart; none if they are not.
+    pub decompose: Option<Decompose>,
     /// What is measured of each scene.
     pub experiments: Vec<Experiment>,
+}
+
+/// How errors are taken apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Decompose {
+    /// Seeds, of the first, whose error is.
+    pub seeds: usize,
+    /// Shadow rays to lights, a pixel, of converged direct light.
+    pub light_samples: u32,
+}
+
+impl Decompose {
+    /// Sixteen times what a pixel gets by default.
+    pub const LIGHT_SAMPLES: u32 = 256;
 }
 
 /// What the total error is against.
@@ -140,6 +156,17 @@ impl Plan {
             }
         }
         transports
+    }
+
+    /// The settings of all rows, each once.
+    pub fn rows(&self) -> Vec<Settings> {
+        let mut rows: Vec<Settings> = Vec::new();
+        for run in self.runs() {
+            if !rows.iter().any(|known| options::same(known, &run.settings)) {
+                rows.push(run.settings);
+            }
+        }
+        rows
     }
 
     fn runs(&self) -> impl Iterator<Item = &Run> {

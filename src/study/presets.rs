@@ -18,6 +18,7 @@ pub fn of_scenes(scenes: Vec<String>) -> Plan {
         reference: ReferencePlan::Path { samples: 1024 },
         clustering_seeds: 1,
         mask_above: None,
+        decompose: None,
         experiments: methods(),
     }
 }

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::parts::Decomposed;
+pub use super::spread::Spread;
 use super::verdict::Claim;
 use crate::gpu::AdapterInfo;
 use crate::report::{BounceLimit, FramePhases};
@@ -178,6 +180,8 @@ pub struct Row {
     pub total: Option<Errors>,
     /// Null for `vpl` and `path`, and where it was not asked for.
     pub clustering: Option<Errors>,
+    /// Where the total error comes from; null where that was not asked for, and for `path`.
+    pub decomposition: Option<Decomposed>,
     /// 1 / (MSE · seconds) of the total error.
     pub efficiency: Option<f64>,
     /// The metrics in whose total error no other row of the scene is both faster and better.
@@ -186,14 +190,6 @@ pub struct Row {
     pub image: Option<String>,
     /// What the thesis measured, where it did.
     pub thesis: Option<Published>,
-}
-
-/// A mean over seeds and the standard deviation of a single one; null for one seed.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the keys are the names")]
-pub struct Spread {
-    pub mean: f64,
-    pub sd: Option<f64>,
 }
 
 /// Errors over the seeds. The means of RMSE, nRMSE and tile nRMSE are roots of the mean of

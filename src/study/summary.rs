@@ -2,6 +2,7 @@
 
 use super::measure::Measured;
 use super::page::Picture;
+use super::parts::Decomposed;
 use super::results::{Curve, Errors, Metric, Results, Row, SCHEMA, SceneResults, Spread};
 use super::{
     Experiment, Found, FoundFrame, Plan, Reference, Run, Study, fit, options, thesis, unclustered,
@@ -160,6 +161,10 @@ fn row(plan: &Plan, found: &Found, experiment: &Experiment, run: &Run) -> Option
         reference: reference.map(|reference| reference.about.id.clone()),
         total,
         clustering: Errors::of(&comparisons(|measured| measured.clustering.as_ref())),
+        decomposition: Decomposed::of(
+            &frames.iter().filter_map(|f| f.measured.decomposition.as_ref()).collect::<Vec<_>>(),
+            reference.and_then(|reference| Some(reference.about.noise?.relmse)),
+        ),
         efficiency,
         pareto: Vec::new(),
         image: Some(first.image.clone()),
@@ -224,22 +229,6 @@ fn mark_pareto(rows: &mut [Row]) {
     }
 }
 
-impl Spread {
-    /// The mean of values and their standard deviation; they are not empty.
-    pub fn of(values: &[f64]) -> Self {
-        let count = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / count;
-        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-        Self { mean, sd: (values.len() > 1).then(|| (squares / (count - 1.0)).sqrt()) }
-    }
-
-    /// The root of the mean of squares in the place of the mean.
-    fn of_roots(values: &[f64]) -> Self {
-        let squares = values.iter().map(|value| value * value).sum::<f64>();
-        Self { mean: (squares / values.len() as f64).sqrt(), ..Self::of(values) }
-    }
-}
-
 impl Errors {
     /// Over seeds; none without any.
     fn of(comparisons: &[&Comparison]) -> Option<Self> {
@@ -261,18 +250,5 @@ impl Errors {
             max_abs: Spread::of(&values(|c| c.metrics.max_abs)),
             nonfinite: comparisons.iter().map(|c| c.nonfinite).sum(),
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn spreads_are_means_with_standard_deviations() {
-        assert_eq!(Spread::of(&[2.0]), Spread { mean: 2.0, sd: None });
-        let spread = Spread::of(&[1.0, 3.0, 5.0]);
-        assert_eq!(spread, Spread { mean: 3.0, sd: Some(2.0) });
-        assert_eq!(Spread::of_roots(&[3.0, 4.0]).mean, 12.5f64.sqrt());
     }
 }

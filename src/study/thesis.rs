@@ -34,6 +34,7 @@ pub fn plan() -> Plan {
         reference: ReferencePlan::Path { samples: 256 },
         clustering_seeds: usize::MAX,
         mask_above: None,
+        decompose: None,
         experiments: experiments(),
     }
 }

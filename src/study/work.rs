@@ -4,6 +4,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use super::decompose::{Frames, decomposed, has_parts};
 use super::measure::Bench;
 use super::reference::{self, Making};
 use super::store::name_of;
@@ -82,6 +83,7 @@ impl Study {
                 work.frame(&settings, index)?;
             }
         }
+        work.decompositions()?;
         Ok(())
     }
 }
@@ -203,7 +205,43 @@ impl Work<'_> {
     }
 
     fn image_key(&self, settings: &Settings, seed: u32) -> String {
-        format!("{} seed {seed} {}", self.key, options::all(settings))
+        options::of_frame(&self.key, settings, seed)
+    }
+
+    /// Takes the errors of rows apart, as far as the plan says.
+    fn decompositions(&mut self) -> Result<(), Error> {
+        let plan = &self.study.plan;
+        let Some(decompose) = plan.decompose else { return Ok(()) };
+        let (seeds, rows) = (decompose.seeds.min(plan.seeds.len()), plan.rows());
+        for index in 0..seeds {
+            for settings in rows.iter().filter(|settings| has_parts(settings)) {
+                self.decomposition(settings, index, decompose.light_samples)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes the error of a frame with the seed of an index apart, or finds that done.
+    fn decomposition(
+        &mut self,
+        settings: &Settings,
+        index: usize,
+        light_samples: u32,
+    ) -> Result<(), Error> {
+        let Self { study, bench, key, tell } = self;
+        let Study { plan, store, found, .. } = &mut **study;
+        let Some(found) = found.last_mut() else { return Ok(()) };
+        let Some(reference) = found.reference(settings) else { return Ok(()) };
+        let (seed, sharing) = (plan.seeds[index], plan.clusters(index));
+        let mut frames = Frames::new(bench, store, [key, &found.scene], light_samples, *tell);
+        let decomposition = decomposed(&mut frames, settings, seed, reference, sharing)?;
+        let same = |frame: &&mut FoundFrame| {
+            frame.seed == seed && options::same(&frame.settings, settings)
+        };
+        if let Some(frame) = found.frames.iter_mut().find(same) {
+            frame.measured.decomposition = decomposition;
+        }
+        Ok(())
     }
 }
 

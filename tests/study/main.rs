@@ -7,6 +7,7 @@
 mod broken_off;
 #[path = "../common/mod.rs"]
 mod common;
+mod decompose;
 mod page;
 
 use std::fs;
@@ -174,6 +175,9 @@ fn what_cannot_be_studied_is_refused_in_a_line() {
         ("--preset quick --vpls 3", "neither with --preset"),
         ("builtin:cornell --method normal", "no light"),
         ("builtin:cornell --vpls 5,x", "x"),
+        ("builtin:cornell --decompose=0", "--decompose"),
+        ("builtin:cornell --decompose-samples 64", "--decompose"),
+        ("--preset extremes --decompose", "--preset extremes goes without --decompose"),
         ("builtin:cornell --vpls 5,,6", "empty"),
         ("builtin:cornell --direct clustered --method vpl", "clusters"),
         ("builtin:nowhere", "nowhere"),

@@ -70,6 +70,7 @@ fn the_page_says_what_is_so() {
             names_are_text_and_nothing_else,
             the_heading_says_what_was_measured,
             the_table_sorts_and_unfolds,
+            bars_show_where_the_error_comes_from,
             the_command_of_a_row_is_copied,
         ],
     );
@@ -150,6 +151,35 @@ fn the_table_sorts_and_unfolds(browser: &mut Browser) {
     browser.click(place);
     let details = browser.text("document.querySelector('tr.details').textContent");
     assert!(details.contains("shading0.120 s") && details.contains("--interleave 4"), "{details}");
+}
+
+fn bars_show_where_the_error_comes_from(browser: &mut Browser) {
+    let part = |id: &str, what: &str| {
+        format!("document.querySelector('.parts-bar .{id}').getBoundingClientRect().{what}")
+    };
+    let bar = browser.number("document.querySelector('.parts-bar').clientWidth");
+    let mut width = |id: &str| browser.number(&part(id, "width")) / bar;
+    // From -0.2 to 1.2 of the error, which the shares add up to.
+    for (id, share) in [
+        ("direct", 0.5),
+        ("antialiasing", 0.1),
+        ("sharing", 0.2),
+        ("vpls", 0.6),
+        ("interaction", 0.0),
+    ] {
+        let expected = share / 1.4;
+        assert!((width(id) - expected).abs() < 0.01, "{id}: {} for {expected}", width(id));
+    }
+    let zero = browser.number(&part("direct", "left"));
+    assert!((browser.number(&part("sharing", "right")) - zero).abs() < 1.0);
+    assert!((browser.number(&part("vpls", "right")) - zero - 1.2 / 1.4 * bar).abs() < 1.5);
+    assert_eq!(browser.number("document.querySelectorAll('.parts-bar').length"), 1.0);
+    let table = browser.text("document.querySelector('#parts table').textContent");
+    assert!(table.contains("0.00500") && table.contains("−1.0 %"), "{table}");
+    let noise = browser.text("document.querySelector('#parts-noise').textContent");
+    assert!(noise.contains("is not known"), "{noise}");
+    browser.set("#scene", "1");
+    assert_eq!(browser.value("document.querySelector('#parts-section').hidden"), json!(true));
 }
 
 fn the_command_of_a_row_is_copied(browser: &mut Browser) {

@@ -9,7 +9,7 @@ use super::sweep;
 use crate::cli::parse;
 use crate::error::Error;
 use crate::extremes;
-use crate::study::{Plan, ReferencePlan, presets, thesis};
+use crate::study::{Decompose, Plan, ReferencePlan, presets, thesis};
 
 pub const OPTIONS_OF_RENDER: &str = "options of render go neither with --preset nor with --sweep";
 
@@ -62,6 +62,19 @@ pub struct StudyArgs {
           value_parser = clap::value_parser!(u32).range(0..=1000))]
     pub clustering_seeds: Option<u32>,
 
+    /// Of the seeds, how many to take the error of each row apart with [default: 1]: what is left
+    /// with direct light, indirect light, antialiasing, the clamp, shared visibility and
+    /// interleaving each replaced by the converged part. Takes some fifty times the frame; shared
+    /// visibility is within --clustering-seeds
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true,
+          default_missing_value = "1", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub decompose: Option<u32>,
+
+    /// Shadow rays to lights, a pixel, of direct light converged for --decompose [default: 256]
+    #[arg(long, allow_negative_numbers = true, value_name = "S", requires = "decompose",
+          value_parser = clap::value_parser!(u32).range(16..=1 << 16))]
+    pub decompose_samples: Option<u32>,
+
     /// Leave out pixels within 2 of any brighter than this in the reference: lights seen directly
     #[arg(long, value_name = "L", value_parser = parse::number, allow_hyphen_values = true)]
     pub mask_above: Option<f64>,
@@ -99,6 +112,10 @@ impl StudyArgs {
         }
         let count = self.seeds.unwrap_or(plan.seeds.len() as u32);
         plan.seeds = (0..count).map(|index| self.seed.unwrap_or(0).wrapping_add(index)).collect();
+        if let Some(seeds) = self.decompose {
+            let light_samples = self.decompose_samples.unwrap_or(Decompose::LIGHT_SAMPLES);
+            plan.decompose = Some(Decompose { seeds: seeds as usize, light_samples });
+        }
         if let Some(samples) = self.reference_samples {
             plan.reference = ReferencePlan::Path { samples };
         }

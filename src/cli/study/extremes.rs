@@ -128,6 +128,7 @@ fn check(args: &StudyArgs) -> Result<(), Error> {
         ("--seeds", args.seeds.is_some()),
         ("--seed", args.seed.is_some()),
         ("--clustering-seeds", args.clustering_seeds.is_some()),
+        ("--decompose", args.decompose.is_some()),
         ("--mask-above", args.mask_above.is_some()),
         ("--size", args.size.is_some()),
     ];

@@ -6,6 +6,7 @@ use std::time::Duration;
 use indicatif::HumanDuration;
 
 use crate::cli::console;
+use crate::study::parts::{Decomposition, Replaced};
 use crate::study::{Event, Measured, Plan, options};
 
 /// Tells events on standard error.
@@ -62,7 +63,18 @@ impl Progress {
                     console::say(&console::one_line(&line));
                 }
             }
-            Event::Pass { .. } => {}
+            Event::Part { scene, settings, seed, seconds } if !self.quiet => {
+                let text = options::changed(settings);
+                let line = format!("{scene}: part {text}, seed {seed}: {seconds:.2} s");
+                console::say(&console::one_line(&line));
+            }
+            Event::Decomposed { scene, settings, seed, decomposition, kept } if !self.quiet => {
+                let text = options::changed(settings);
+                let left = left(decomposition, kept);
+                let line = format!("{scene}: taken apart {text}, seed {seed}: {left}");
+                console::say(&console::one_line(&line));
+            }
+            Event::Pass { .. } | Event::Part { .. } | Event::Decomposed { .. } => {}
         }
     }
 }
@@ -72,6 +84,14 @@ fn result(measured: &Measured, kept: bool) -> String {
         measured.total.as_ref().map(|error| format!(", relMSE {:.2e}", error.metrics.relmse));
     let kept = if kept { " (kept)" } else { "" };
     format!("{:.3} s{}{kept}", measured.times.seconds, error.unwrap_or_default())
+}
+
+/// What is left of an error with each part replaced.
+fn left(decomposition: &Decomposition, kept: bool) -> String {
+    let part = |own: &Replaced| format!(", {} {:.2e}", own.part.name(), own.left.relmse);
+    let parts: String = decomposition.parts.iter().map(part).collect();
+    let kept = if kept { " (kept)" } else { "" };
+    format!("relMSE {:.2e}, without{}{kept}", decomposition.whole.relmse, &parts[1..])
 }
 
 impl State {

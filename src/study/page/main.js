@@ -42,7 +42,17 @@ function start() {
   buildChoices();
   buildViewer();
   showClaims();
-  views.push(showChoices, showPlot, showLegend, showTable, revealRow, showFits, showReferences, followState);
+  views.push(
+    showChoices,
+    showPlot,
+    showLegend,
+    showTable,
+    revealRow,
+    showParts,
+    showFits,
+    showReferences,
+    followState,
+  );
   if (RESULTS.scenes.length) chooseScene(0);
   else update({});
   document.addEventListener("pointerdown", (event) => byId("plot").contains(event.target) || hideTip());

@@ -49,6 +49,7 @@ fn row(experiment: &str, seconds: f64, error: Option<f64>) -> Row {
         reference: None,
         total: error.map(errors),
         clustering: None,
+        decomposition: None,
         efficiency: None,
         pareto: vec![Metric::Relmse],
         image: None,

@@ -4,6 +4,7 @@ use gpu_vpl::gpu::AdapterInfo;
 use gpu_vpl::image::Image;
 use gpu_vpl::report::{BounceLimit, FramePhases};
 use gpu_vpl::study::page::Picture;
+use gpu_vpl::study::parts::{Decomposed, Decomposition, Left, Part, Replaced};
 use gpu_vpl::study::results::{
     Against, Curve, Errors, Fit, Metric, Noise, Reference, Results, Row, SCHEMA, SceneResults,
     Spread,
@@ -77,11 +78,28 @@ pub fn row(experiment: &str, setting: &str, seconds: f64, total: Option<f64>) ->
         reference: Some("path".to_owned()),
         total: total.map(errors),
         clustering: Some(errors(1e-4 / seconds)),
+        decomposition: None,
         efficiency: total.map(|error| 1.0 / (error * seconds)),
         pareto: Vec::new(),
         image: None,
         thesis: None,
     }
+}
+
+/// Direct light is half of the error, shared visibility makes up for a fifth of it.
+fn taken_apart() -> Option<Decomposed> {
+    let left = |relmse| Left { relmse, bias: -0.01 };
+    let parts = [
+        (Part::Direct, 0.005),
+        (Part::Indirect, 0.004),
+        (Part::Antialiasing, 0.009),
+        (Part::Sharing, 0.012),
+        (Part::Vpls, 0.004),
+        (Part::All, 0.006),
+    ];
+    let replaced = |(part, relmse)| Replaced { part, left: left(relmse), noise: 1e-5 };
+    let parts = parts.map(replaced).into();
+    Decomposed::of(&[&Decomposition { whole: left(0.01), parts }], None)
 }
 
 /// A power law along seconds.
@@ -160,6 +178,7 @@ fn hostile() -> SceneResults {
     rows[0].pareto = vec![Metric::Relmse, Metric::Rmse];
     rows[4].pareto = vec![Metric::Relmse];
     rows[1].image = Some("one".to_owned());
+    rows[1].decomposition = taken_apart();
     rows[2].total = rows[2].total.map(|errors| Errors { tile_nrmse: None, ..errors });
     let fits = vec![fit(-1.0, Some(1e-3), |t| 0.01 / t + 1e-3)];
     let curves = vec![
