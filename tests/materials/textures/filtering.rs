@@ -154,7 +154,7 @@ fn mip_levels_of_images_with_holes_weigh_by_alpha() {
         // What is clear counts a thousandth, and white is as much light as a hundred dark texels.
         let off = [r, g, b].iter().zip([20, 200, 40]).map(|(a, b)| a.abs_diff(b)).max();
         assert!(off <= Some(4), "{r} {g} {b}");
-        assert!((60..110).contains(&alpha), "{alpha}");
+        assert!((50..120).contains(&alpha), "{alpha}");
     }
     let white = image.mips(false);
     assert!(white.iter().all(|texel| texel[0] > 150), "{white:?}");
