@@ -14,6 +14,8 @@ const LEVELS = 8u;
 
 // Lookups along the longer side, at most: at grazing angles it has no end.
 const MOST_COLUMNS = 8.0;
+// Widths of the image along a side, at most: finite, and all of it many times.
+const MOST_WIDTHS = 1e6;
 // By how much finer levels are than a lookup's share.
 const FINER = 0.5;
 
@@ -32,12 +34,14 @@ fn sample_texture_over(index: u32, uv: vec2f, one: vec2f, other: vec2f) -> vec3f
     let image = textures[index];
     let at = uv * image.scale + image.shift;
     let size = vec2f(f32(image.width), f32(image.height));
-    let sides = vec2f(length(one * image.scale * size), length(other * image.scale * size));
+    let first = clamp(one * image.scale, vec2f(-MOST_WIDTHS), vec2f(MOST_WIDTHS));
+    let second = clamp(other * image.scale, vec2f(-MOST_WIDTHS), vec2f(MOST_WIDTHS));
+    let sides = vec2f(length(first * size), length(second * size));
     let turned = sides.y > sides.x;
     let long = max(sides.x, sides.y);
     let short = min(sides.x, sides.y);
-    let along = select(one, other, turned) * image.scale;
-    let across = select(other, one, turned) * image.scale;
+    let along = select(first, second, turned);
+    let across = select(second, first, turned);
 
     let levels = image.sampler >> LEVELS;
     let share = max(0.5 * short, 1.0);

@@ -12,7 +12,7 @@ use super::{Texels, linear};
 type Weighed = [f32; 4];
 
 /// Alphas below this count as much, so that what is clear has a colour.
-const LEAST_WEIGHT: f32 = 1.0 / 1024.0;
+const LEAST_WEIGHT: f32 = 1.0 / 65536.0;
 
 /// The sizes of the levels of an image of this size, itself the first: each half of the one before,
 /// rounded down, to a single texel.
