@@ -29,6 +29,15 @@ fn camera_direction(pixel: vec2u, inside: vec2f) -> vec3f {
     return normalize(params.forward + at.x * params.right - at.y * params.up);
 }
 
+// The width of the cone of rays around a unit direction that a sample of a pixel stands for, at
+// distance 1: of all that a pixel sees, which grows with the cube of the cosine, its share.
+fn pixel_spread(direction: vec3f) -> f32 {
+    let cosine = dot(direction, params.forward);
+    let pixels = f32(params.width) * f32(params.height);
+    let area = 4.0 * length(params.right) * length(params.up) / pixels;
+    return sqrt(area * cosine * cosine * cosine / f32(params.samples));
+}
+
 // The seed of the sequence of a pixel.
 fn camera_stream(pixel: vec2u) -> u32 {
     return hash(hash(pixel.x + pixel.y * params.width) + params.seed);

@@ -1,3 +1,3 @@
 // The albedo of points is that of their materials: there is nothing to store.
 
-fn store_albedo(index: u32, hit: Hit, point: Point) {}
+fn store_albedo(index: u32, hit: Hit, point: Point, direction: vec3f, width: f32) {}

@@ -25,8 +25,9 @@ fn main(
     if id.x < params.blocks * 64u {
         let point = hit_point(chain.hit, chain.direction);
         points[id.x] = with_view_direction(point, ray_offset(point, chain.direction, params.offset));
-        store_albedo(id.x, chain.hit, point);
-        store_emission_scale(id.x, chain.hit, point);
+        let width = pixel_spread(direction) * length_of(chain);
+        store_albedo(id.x, chain.hit, point, chain.direction, width);
+        store_emission_scale(id.x, chain.hit, point, chain.direction, width);
         store_throughput(id.x, chain);
     }
 }

@@ -51,8 +51,8 @@ fn main(
         // vertex sees in one, and the visible point has none of it.
         let turned = select(ALL_CLAMPED, 0.0, first);
         let g = select(geometry(point, next), turned, is_specular(chain));
-        store_albedo(slot, hit, next);
-        store_emission_scale(slot, hit, next);
+        store_albedo(slot, hit, next, chain.direction, 0.0);
+        store_emission_scale(slot, hit, next, chain.direction, 0.0);
         find_emission(slot, all * throughput, point, hit, next, chain.direction, density);
         goes_on = arrive(slot, carried, next, throughput, g);
         points[slot] = with_view_direction(next, ray_offset(next, chain.direction, params.offset));

@@ -6,6 +6,8 @@ struct SpecularChain {
     direction: vec3f,
     // What comes back of the radiance that is seen.
     throughput: vec3f,
+    // Of all segments but the last.
+    length: f32,
     // Whether mirrors or glass were in the way.
     specular: bool,
     // Whether chance has chosen between reflection and refraction.
@@ -27,7 +29,8 @@ fn trace_specular_chain(
     stream: u32,
     invocation: u32,
 ) -> SpecularChain {
-    var seen = SpecularChain(Hit(limit, NOTHING, vec3f(0.0)), direction, vec3f(1.0), false, false);
+    let nothing = Hit(limit, NOTHING, vec3f(0.0));
+    var seen = SpecularChain(nothing, direction, vec3f(1.0), 0.0, false, false);
     var at = origin;
     var reach = limit;
     for (var i = 0u; i <= MOST_SPECULAR; i++) {
@@ -44,6 +47,7 @@ fn trace_specular_chain(
             at = point.position + select(through, back, sampled.side > 0.0);
             seen.direction = sampled.direction;
             seen.throughput *= sampled.weight;
+            seen.length += hit.t;
             seen.specular = true;
             seen.chosen = seen.chosen || bsdf.kind == GLASS;
             // What is met is not what is seen.
@@ -59,6 +63,12 @@ fn trace_specular_chain(
 // What comes back of the radiance that is seen.
 fn throughput_of(chain: SpecularChain) -> vec3f {
     return chain.throughput;
+}
+
+// The length of the way to what is seen. Flat mirrors and panes leave rays as far apart as on a
+// straight way; what curves gathers or scatters them, which is left out.
+fn length_of(chain: SpecularChain) -> f32 {
+    return chain.length + chain.hit.t;
 }
 
 // Whether mirrors or glass were in the way.

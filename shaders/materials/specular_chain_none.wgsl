@@ -23,6 +23,11 @@ fn throughput_of(chain: SpecularChain) -> vec3f {
     return vec3f(1.0);
 }
 
+// The length of the way to what is seen.
+fn length_of(chain: SpecularChain) -> f32 {
+    return chain.hit.t;
+}
+
 // Whether mirrors or glass were in the way.
 fn is_specular(chain: SpecularChain) -> bool {
     return false;

@@ -26,8 +26,9 @@ fn main(
     if is {
         let point = hit_point(chain.hit, chain.direction);
         points[slot] = with_view_direction(point, ray_offset(point, chain.direction, params.offset));
-        store_albedo(slot, chain.hit, point);
-        store_emission_scale(slot, chain.hit, point);
+        let width = pixel_spread(direction) * length_of(chain);
+        store_albedo(slot, chain.hit, point, chain.direction, width);
+        store_emission_scale(slot, chain.hit, point, chain.direction, width);
         radiance[slot] = vec4f(0.0);
         paths[slot] = Path(throughput_of(chain), stream);
         survivors[slot] = select(slot, NOTHING, chain.hit.triangle == NOTHING);

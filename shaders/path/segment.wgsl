@@ -28,8 +28,8 @@ fn main(
     if hit.triangle != NOTHING {
         let next = hit_point(hit, chain.direction);
         points[slot] = with_view_direction(next, ray_offset(next, chain.direction, params.offset));
-        store_albedo(slot, hit, next);
-        store_emission_scale(slot, hit, next);
+        store_albedo(slot, hit, next, chain.direction, 0.0);
+        store_emission_scale(slot, hit, next, chain.direction, 0.0);
         paths[slot] = Path(carried, path.stream);
         find_emission(slot, carried, point, hit, next, chain.direction, density);
     } else if limit > 0.0 {

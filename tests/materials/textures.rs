@@ -1,5 +1,6 @@
 //! Textures: sampling on host and device, albedo and emission that vary, and holes.
 
+mod filtering;
 mod holes;
 
 use std::f64::consts::PI;
@@ -12,6 +13,7 @@ use gpu_vpl::image::Image;
 use gpu_vpl::render::kernels::catalogue::{TEXTURE, TYPES};
 use gpu_vpl::render::prepared::tables;
 use gpu_vpl::render::{Clamp, Clustering, Features, Method, Prepared, Settings, light_paths};
+use gpu_vpl::scene::texture::Filter;
 use gpu_vpl::scene::{Scene, Texels, Texture, Wrap, texture};
 
 static SAMPLE: Module =
@@ -54,7 +56,8 @@ fn host_and_device_sample_alike() {
         for (across, down) in wraps.into_iter().flat_map(|a| wraps.map(|d| (a, d))) {
             let scale = Vec2::new(rng.unit() * 4.0 - 2.0, rng.unit() + 0.5);
             let offset = Vec2::new(rng.unit(), -rng.unit());
-            textures.push(Texture { image: index, wrap: [across, down], scale, offset });
+            let filter = Filter::default();
+            textures.push(Texture { image: index, wrap: [across, down], filter, scale, offset });
         }
     }
     let scene = scene_with(images, textures);

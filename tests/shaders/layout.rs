@@ -82,7 +82,7 @@ fn records() -> Vec<Record> {
     vec![
         record!(NodeRecord as "Node" { low, skip, high, leaf }),
         record!(TriangleRecord as "Triangle" { a, material, b, index, c, kind }),
-        record!(TextureRecord as "Texture" { first, width, height, wrap, scale, shift }),
+        record!(TextureRecord as "Texture" { first, width, height, sampler, scale, shift }),
         record!(MaterialRecord as "Material" { albedo, two_sided, emission, pad }),
         record!(PointRecord as "Point" { position, surface, normal, depth }),
         record!(VplRecord as "Vpl" { position, pad0, normal, pad1, intensity, mean }),

@@ -44,7 +44,8 @@ impl TriangleRecord {
     pub const CUTOUT: u32 = Self::FAR - 1;
 }
 
-/// A texture: where its texels are, and how it is laid on surfaces; 32 bytes.
+/// A texture: where its texels are, those of its mip levels after them, and how it is laid on
+/// surfaces; 32 bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct TextureRecord {
@@ -55,12 +56,22 @@ pub struct TextureRecord {
     /// Rows.
     pub height: u32,
     /// What lies beyond its border across, and from bit 2 on down: 0 the image again, 1 the
-    /// image mirrored, 2 its border.
-    pub wrap: u32,
+    /// image mirrored, 2 its border. Then [`Self::NEAREST_MAGNIFIED`] and the like, and from
+    /// [`Self::LEVELS`] on the number of its levels, the image itself counted.
+    pub sampler: u32,
     /// Texel coordinates are uv · scale + shift.
     pub scale: [f32; 2],
     /// See above.
     pub shift: [f32; 2],
+}
+
+impl TextureRecord {
+    /// The bit of a texture whose nearest texel counts where it is magnified.
+    pub const NEAREST_MAGNIFIED: u32 = 1 << 4;
+    /// The same where it is minified.
+    pub const NEAREST_MINIFIED: u32 = 1 << 5;
+    /// The first bit of the number of levels.
+    pub const LEVELS: u32 = 8;
 }
 
 /// A diffuse material, 32 bytes.

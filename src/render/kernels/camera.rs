@@ -26,7 +26,7 @@ pub fn visible_points(target: Target, lit: bool) -> Program {
 
 /// What is kept of points by the stage that finds them.
 pub fn point_attributes(features: Features) -> Vec<&'static Module> {
-    [attributes(features), store_attributes(features)].concat()
+    [attributes(features), store_attributes(features, true)].concat()
 }
 
 /// More camera rays where pixels see edges.

@@ -31,6 +31,9 @@ modules! {
     TEXTURE = "materials/texture";
     UV_TRIANGLE = "trace/uv_triangle";
     UV_ANY = "trace/uv_any" for "spheres";
+    UV_DIFFERENCE = "trace/uv_difference";
+    UV_DIFFERENCE_TRIANGLE = "trace/uv_difference_triangle";
+    UV_DIFFERENCE_ANY = "trace/uv_difference_any" for "spheres";
     ALBEDO_PLAIN = "materials/albedo_plain";
     HEMISPHERE = "common/hemisphere";
     BSDF = "materials/bsdf";
@@ -44,6 +47,9 @@ modules! {
     STORE_ALBEDO_NONE = "camera/store_albedo_none";
     STORE_ALBEDO = "camera/store_albedo" for "textures";
     MATERIAL_TEXTURES = "materials/material_textures";
+    MATERIAL_TEXTURES_FILTERED = "materials/material_textures_filtered";
+    FOOTPRINT = "materials/footprint";
+    TEXTURE_FILTERED = "materials/texture_filtered";
     EMISSION_SCALE_NONE = "materials/emission_scale_none";
     EMISSION_SCALE_TEXTURED = "materials/emission_scale_textured" for "emission textures";
     STORE_EMISSION_SCALE_NONE = "camera/store_emission_scale_none";

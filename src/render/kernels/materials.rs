@@ -1,11 +1,12 @@
 //! What is at the places that rays hit: the modules that textures and BSDFs choose.
 
 use super::catalogue::{
-    ALBEDO_PLAIN, ALBEDO_TEXTURED, BSDF, EMISSION_SCALE_NONE, EMISSION_SCALE_TEXTURED,
+    ALBEDO_PLAIN, ALBEDO_TEXTURED, BSDF, EMISSION_SCALE_NONE, EMISSION_SCALE_TEXTURED, FOOTPRINT,
     GATHERED_DIFFUSE, GATHERED_PHONG, LIGHT_SCALE_NONE, LIGHT_SCALE_TEXTURED, LOBE_ENERGY,
-    LOBES_DIFFUSE, LOBES_PHONG, MATERIAL_TEXTURES, PHONG, SCATTER_DIFFUSE, SCATTER_PHONG,
-    STORE_ALBEDO, STORE_ALBEDO_NONE, STORE_EMISSION_SCALE, STORE_EMISSION_SCALE_NONE,
-    VIEW_DIRECTION,
+    LOBES_DIFFUSE, LOBES_PHONG, MATERIAL_TEXTURES, MATERIAL_TEXTURES_FILTERED, PHONG,
+    SCATTER_DIFFUSE, SCATTER_PHONG, STORE_ALBEDO, STORE_ALBEDO_NONE, STORE_EMISSION_SCALE,
+    STORE_EMISSION_SCALE_NONE, TEXTURE_FILTERED, UV_DIFFERENCE, UV_DIFFERENCE_ANY,
+    UV_DIFFERENCE_TRIANGLE, VIEW_DIRECTION,
 };
 use super::trace::textures;
 use crate::gpu::Module;
@@ -29,11 +30,16 @@ pub fn light_emission_scale(features: Features) -> Vec<&'static Module> {
     }
 }
 
-/// What keeps albedo and emission of points where rays have hit.
-pub fn store_attributes(features: Features) -> Vec<&'static Module> {
+/// What keeps albedo and emission of points where rays have hit, at a place or, where camera rays
+/// are `filtered`, over what a pixel sees.
+pub fn store_attributes(features: Features, filtered: bool) -> Vec<&'static Module> {
     let mut modules = Vec::new();
     if features.textures || features.emission_textures {
-        modules.extend(textures(features).into_iter().chain([&MATERIAL_TEXTURES]));
+        modules.extend(textures(features));
+        match filtered {
+            true => modules.extend(filtered_textures(features)),
+            false => modules.push(&MATERIAL_TEXTURES),
+        }
     }
     modules.push(if features.textures { &STORE_ALBEDO } else { &STORE_ALBEDO_NONE });
     modules.push(if features.emission_textures {
@@ -42,6 +48,12 @@ pub fn store_attributes(features: Features) -> Vec<&'static Module> {
         &STORE_EMISSION_SCALE_NONE
     });
     modules
+}
+
+/// Textures over what a pixel sees.
+fn filtered_textures(features: Features) -> [&'static Module; 5] {
+    let shapes = if features.spheres { &UV_DIFFERENCE_ANY } else { &UV_DIFFERENCE_TRIANGLE };
+    [&UV_DIFFERENCE, shapes, &TEXTURE_FILTERED, &FOOTPRINT, &MATERIAL_TEXTURES_FILTERED]
 }
 
 /// The buffers that [`store_attributes`] writes.

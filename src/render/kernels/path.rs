@@ -83,7 +83,7 @@ pub fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static M
     let survival = if bounces == Bounces::Unlimited { &ROULETTE } else { &ROULETTE_NONE };
     let mut last = specular_chain(target);
     last.extend([&RAY_OFFSET, &PATH_FOLLOW, survival, emission_scale(target.features)]);
-    last.extend(store_attributes(target.features));
+    last.extend(store_attributes(target.features, false));
     let sky = target.features.sky;
     if areas || sky.shines() {
         last.push(&PATH_FOUND);

@@ -9,7 +9,8 @@ use crate::gpu::{
 };
 use crate::render::features::Features;
 use crate::render::lights::{LightKind, Lights};
-use crate::scene::Scene;
+use crate::scene::texture::mip_texels;
+use crate::scene::{Material, Scene};
 
 /// The tables that the device holds of a scene, and what they take in bytes. A table of nothing has one element.
 pub fn tables(
@@ -31,7 +32,7 @@ pub fn tables(
         tables.push(("bsdfs", of::<BsdfRecord>(materials)));
     }
     if features.has_textures() {
-        let texels = used_images(scene).map(|image| scene.images[image].rgba.len()).sum();
+        let texels = used_images(scene, usize::MAX).iter().map(|image| image.texels(scene)).sum();
         tables.extend([
             ("texels", of::<[u8; 4]>(texels)),
             ("textures", of::<TextureRecord>(scene.textures.len())),
@@ -63,11 +64,53 @@ pub fn tables(
     tables
 }
 
-/// The images that some material shows, in order.
-pub fn used_images(scene: &Scene) -> impl Iterator<Item = usize> + '_ {
-    let textures = || scene.materials.iter().flat_map(|material| material.textures());
-    let uses = move |image: usize| {
-        textures().any(|texture| scene.textures[texture as usize].image as usize == image)
-    };
-    (0..scene.images.len()).filter(move |&image| uses(image))
+/// An image that some material shows, as the device holds it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UsedImage {
+    /// Index into [`Scene::images`].
+    pub index: usize,
+    /// Whether there are mip levels of it.
+    pub has_mips: bool,
+    /// Whether a material with holes shows its colours, so that the levels weigh them by alpha.
+    pub has_holes: bool,
+}
+
+impl UsedImage {
+    /// The texels of all its levels.
+    pub fn texels(&self, scene: &Scene) -> usize {
+        let image = &scene.images[self.index];
+        image.rgba.len() + if self.has_mips { mip_texels(image.size) } else { 0 }
+    }
+}
+
+/// The images that some material shows, in order, with mip levels where their colours are
+/// filtered. If the device binds fewer texels than that makes, as `most` says, the last images go
+/// without: then they alias, but can be rendered.
+pub fn used_images(scene: &Scene, most: usize) -> Vec<UsedImage> {
+    let mut used: Vec<Option<UsedImage>> = vec![None; scene.images.len()];
+    for material in &scene.materials {
+        for (texture, is_cutout) in textures(material) {
+            let texture = &scene.textures[texture as usize];
+            let index = texture.image as usize;
+            let known = UsedImage { index, has_mips: false, has_holes: false };
+            let image = used[index].get_or_insert(known);
+            image.has_mips |= !is_cutout && texture.filter.mipmaps;
+            image.has_holes |= !is_cutout && material.cutout.is_some();
+        }
+    }
+    let mut used: Vec<UsedImage> = used.into_iter().flatten().collect();
+    let mut all: usize = used.iter().map(|image| scene.images[image.index].rgba.len()).sum();
+    for image in &mut used {
+        let more = mip_texels(scene.images[image.index].size);
+        image.has_mips &= all.saturating_add(more) <= most;
+        all += if image.has_mips { more } else { 0 };
+    }
+    used
+}
+
+/// The textures of a material, and whether they cut holes, which are not filtered.
+fn textures(material: &Material) -> impl Iterator<Item = (u32, bool)> {
+    let colors = [material.texture, material.emission_texture].map(|used| (used, false));
+    let all = colors.into_iter().chain([(material.cutout, true)]);
+    all.filter_map(|(used, is_cutout)| used.map(|texture| (texture, is_cutout)))
 }

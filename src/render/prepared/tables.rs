@@ -6,14 +6,15 @@ use crate::bvh::Bvh;
 use crate::gpu::{Gpu, GpuError, MaterialRecord, NodeRecord, TextureRecord, TriangleRecord};
 use crate::render::features::Features;
 use crate::render::materials::bsdf;
-use crate::render::plan::memory::used_images;
+use crate::render::plan::memory::{UsedImage, used_images};
+use crate::scene::texture::{Interpolation, level_sizes};
 use crate::scene::{Material, Scene, Texture, Wrap};
 
 /// A table of the scene, and the name by which shaders know it.
 pub type Table = (&'static str, wgpu::Buffer);
 
 /// What the device holds of a scene, and how many bytes of it at least.
-fn sizes(scene: &Scene, features: Features) -> Vec<(&'static str, usize)> {
+fn sizes(gpu: &Gpu, scene: &Scene, features: Features) -> Vec<(&'static str, usize)> {
     let shapes = scene.triangles.len() + scene.spheres.len();
     let mut sizes = vec![
         ("triangles", shapes * size_of::<TriangleRecord>()),
@@ -21,7 +22,8 @@ fn sizes(scene: &Scene, features: Features) -> Vec<(&'static str, usize)> {
         ("BVH nodes", shapes / 2 * size_of::<NodeRecord>()),
     ];
     if features.has_textures() {
-        let texels: usize = used_images(scene).map(|image| scene.images[image].rgba.len()).sum();
+        let images = used_images(scene, most_texels(gpu));
+        let texels: usize = images.iter().map(|image| image.texels(scene)).sum();
         sizes.push(("texels", texels * size_of::<u32>()));
         sizes.push(("texture coordinates", scene.uvs.len() * size_of::<[Vec2; 3]>()));
     }
@@ -34,7 +36,7 @@ fn sizes(scene: &Scene, features: Features) -> Vec<(&'static str, usize)> {
 /// # Errors
 /// There is not.
 pub fn check(gpu: &Gpu, scene: &Scene, features: Features) -> Result<(), GpuError> {
-    let sizes = sizes(scene, features);
+    let sizes = sizes(gpu, scene, features);
     for (label, bytes) in &sizes {
         gpu.check_binding(label, *bytes as u64)?;
     }
@@ -74,7 +76,7 @@ pub fn upload(
         tables.push(("bsdfs", gpu.storage_of("bsdfs", &bsdf::bsdfs(scene))?));
     }
     if features.has_textures() {
-        let (texels, textures) = pack(scene);
+        let (texels, textures) = pack(scene, &used_images(scene, most_texels(gpu)));
         let of_material = |m: &Material| [m.texture, m.emission_texture].map(plus_one);
         let used: Vec<[u32; 2]> = scene.materials.iter().map(of_material).collect();
         let uvs = bytemuck::cast_slice::<_, [f32; 6]>(&scene.uvs);
@@ -92,7 +94,8 @@ pub fn upload(
     Ok(tables)
 }
 
-/// The triangle of each area light, and its textures: see `shaders/lights/light_scale_textured.wgsl`.
+/// The triangle of each area light, and its textures: see
+/// `shaders/lights/light_scale_textured.wgsl`.
 fn light_textures(scene: &Scene) -> Vec<[u32; 4]> {
     let of_light = |triangle: u32| {
         let material = &scene.materials[scene.triangles[triangle as usize].material as usize];
@@ -106,28 +109,53 @@ fn plus_one(texture: Option<u32>) -> u32 {
     texture.map_or(0, |texture| texture + 1)
 }
 
-/// The texels of all images, one after the other, and the textures that are laid on them. What no
-/// material shows has no texels.
-fn pack(scene: &Scene) -> (Vec<[u8; 4]>, Vec<TextureRecord>) {
+/// As many as the device binds.
+fn most_texels(gpu: &Gpu) -> usize {
+    let limits = gpu.limits();
+    let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+    bytes as usize / size_of::<u32>()
+}
+
+/// The texels of these images, each with its mip levels, one after the other, and the textures that
+/// are laid on them. What no material shows has no texels.
+fn pack(scene: &Scene, images: &[UsedImage]) -> (Vec<[u8; 4]>, Vec<TextureRecord>) {
     let mut texels = Vec::new();
-    let mut first = vec![0; scene.images.len()];
-    for image in used_images(scene) {
-        first[image] = texels.len() as u32;
-        texels.extend_from_slice(&scene.images[image].rgba);
+    let mut held: Vec<Option<(u32, UsedImage)>> = vec![None; scene.images.len()];
+    for image in images {
+        held[image.index] = Some((texels.len() as u32, *image));
+        let of = &scene.images[image.index];
+        texels.extend_from_slice(&of.rgba);
+        if image.has_mips {
+            texels.extend(of.mips(image.has_holes));
+        }
     }
     let record = |texture: &Texture| {
-        let [width, height] = scene.images[texture.image as usize].size;
-        let [across, down] = texture.wrap.map(wrap_code);
+        let size = scene.images[texture.image as usize].size;
+        let (first, image) = held[texture.image as usize].unzip();
+        let has_mips = image.is_some_and(|image| image.has_mips);
         TextureRecord {
-            first: first[texture.image as usize],
-            width,
-            height,
-            wrap: across | down << 2,
+            first: first.unwrap_or_default(),
+            width: size[0],
+            height: size[1],
+            sampler: sampler_code(texture, if has_mips { level_sizes(size).count() } else { 1 }),
             scale: texture.scale.to_array(),
             shift: texture.offset.to_array(),
         }
     };
     (texels, scene.textures.iter().map(record).collect())
+}
+
+/// [`TextureRecord::sampler`] of a texture whose image has so many levels.
+fn sampler_code(texture: &Texture, levels: usize) -> u32 {
+    let filter = texture.filter;
+    let levels = if filter.mipmaps { levels } else { 1 };
+    let [across, down] = texture.wrap.map(wrap_code);
+    let bits = [
+        (TextureRecord::NEAREST_MAGNIFIED, filter.magnified == Interpolation::Nearest),
+        (TextureRecord::NEAREST_MINIFIED, filter.minified == Interpolation::Nearest),
+    ];
+    let flags: u32 = bits.into_iter().filter_map(|(bit, is)| is.then_some(bit)).sum();
+    across | down << 2 | flags | (levels as u32) << TextureRecord::LEVELS
 }
 
 fn wrap_code(wrap: Wrap) -> u32 {

@@ -195,6 +195,8 @@ pub struct Texture {
 pub struct Sampler {
     pub wrap_s: Option<u32>,
     pub wrap_t: Option<u32>,
+    pub mag_filter: Option<u32>,
+    pub min_filter: Option<u32>,
 }
 
 #[derive(Debug, Default, Deserialize)]

@@ -8,7 +8,7 @@ use glam::{DMat2, DVec2, Vec2};
 
 use super::json::{Material, TextureInfo, TextureTransform};
 use super::source::Source;
-use crate::scene::texture::{Part, read_image};
+use crate::scene::texture::{Filter, Interpolation, Part, read_image};
 use crate::scene::{Draft, Origin, SceneError, Texture, Wrap};
 
 /// Which coordinates a material's triangles keep, and what they are multiplied by before:
@@ -119,7 +119,7 @@ pub fn add(
     draft: &mut Draft,
 ) -> Result<(u32, Option<&'static str>), SceneError> {
     let image = Image::of(source, info)?;
-    let wrap = wraps(source, info)?;
+    let (wrap, filter) = sampling(source, info)?;
     let transform = info.transform();
     let placed = linear(&transform) * layout.turn.inverse();
     let (scale, skew) =
@@ -127,7 +127,8 @@ pub fn add(
     let origin = Origin::file(&source.path);
     let image = draft.image(&image.path, part, &origin, || image.read());
     let offset = DVec2::from_array(transform.offset);
-    let texture = Texture { image, wrap, scale: scale.as_vec2(), offset: offset.as_vec2() };
+    let (laid, offset) = (scale.as_vec2(), offset.as_vec2());
+    let texture = Texture { image, wrap, filter, scale: laid, offset };
     let lost = if info.set() != layout.set {
         Some("textures on different coordinates, laid on those of the first")
     } else if skew.iter().any(|skew| skew.abs() > 1e-6 * scale.abs().max_element()) {
@@ -138,18 +139,34 @@ pub fn add(
     Ok((draft.add_texture(texture), lost))
 }
 
-fn wraps(source: &Source, info: &TextureInfo) -> Result<[Wrap; 2], SceneError> {
+/// How a texture wraps, and how it is filtered.
+fn sampling(source: &Source, info: &TextureInfo) -> Result<([Wrap; 2], Filter), SceneError> {
     let texture = source.item(&source.document.textures, "texture", info.index)?;
-    let Some(index) = texture.sampler else { return Ok([Wrap::Repeat; 2]) };
+    let Some(index) = texture.sampler else { return Ok(Default::default()) };
     let sampler = source.item(&source.document.samplers, "sampler", index)?;
+    let unknown = |does: &str, code: u32| {
+        let what = format!("sampler {index} {does} in the unknown way {code}");
+        source.fault(what + "; export it again")
+    };
     let wrap = |code: Option<u32>| match code {
         None | Some(10497) => Ok(Wrap::Repeat),
         Some(33071) => Ok(Wrap::Clamp),
         Some(33648) => Ok(Wrap::Mirror),
-        Some(code) => {
-            let what = format!("sampler {index} wraps in the unknown way {code}");
-            Err(source.fault(what + "; export it again"))
-        }
+        Some(code) => Err(unknown("wraps", code)),
     };
-    Ok([wrap(sampler.wrap_s)?, wrap(sampler.wrap_t)?])
+    let magnified = match sampler.mag_filter {
+        None | Some(9729) => Interpolation::Linear,
+        Some(9728) => Interpolation::Nearest,
+        Some(code) => return Err(unknown("magnifies", code)),
+    };
+    // Whether mip levels are blended or not: the mean of several lookups is taken, which is better.
+    let (minified, mipmaps) = match sampler.min_filter {
+        Some(9728) => (Interpolation::Nearest, false),
+        Some(9729) => (Interpolation::Linear, false),
+        Some(9984 | 9986) => (Interpolation::Nearest, true),
+        None | Some(9985 | 9987) => (Interpolation::Linear, true),
+        Some(code) => return Err(unknown("minifies", code)),
+    };
+    let filter = Filter { magnified, minified, mipmaps };
+    Ok(([wrap(sampler.wrap_s)?, wrap(sampler.wrap_t)?], filter))
 }

@@ -148,7 +148,8 @@ impl Map {
     pub fn texture(&self, image: u32) -> Texture {
         let wrap = if self.clamp { Wrap::Clamp } else { Wrap::Repeat };
         let offset = DVec2::new(self.offset.x, 1.0 - self.offset.y - self.scale.y);
-        Texture { image, wrap: [wrap; 2], scale: self.scale.as_vec2(), offset: offset.as_vec2() }
+        let (scale, offset) = (self.scale.as_vec2(), offset.as_vec2());
+        Texture { wrap: [wrap; 2], scale, offset, ..Texture::of(image) }
     }
 }
 

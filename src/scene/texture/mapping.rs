@@ -4,7 +4,7 @@ use std::f32::consts::{PI, TAU};
 
 use glam::{Vec2, Vec3, Vec4};
 
-use super::Texels;
+use super::{Filter, Interpolation, Texels};
 
 /// What lies beyond an image's border.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -26,6 +26,8 @@ pub struct Texture {
     pub image: u32,
     /// Beyond the left and right border, and beyond top and bottom.
     pub wrap: [Wrap; 2],
+    /// How texels become colours.
+    pub filter: Filter,
     /// See above.
     pub scale: Vec2,
     /// See above.
@@ -35,17 +37,24 @@ pub struct Texture {
 impl Texture {
     /// The whole image, repeated.
     pub fn of(image: u32) -> Self {
-        Self { image, wrap: [Wrap::Repeat; 2], scale: Vec2::ONE, offset: Vec2::ZERO }
+        let (wrap, filter) = ([Wrap::Repeat; 2], Filter::default());
+        Self { image, wrap, filter, scale: Vec2::ONE, offset: Vec2::ZERO }
     }
 
-    /// Colour in linear light and alpha, interpolated between the four nearest texels. The twin
-    /// of `sample_texture` in `shaders/materials/texture.wgsl`.
+    /// Colour in linear light and alpha at a place of the image itself, which is no part of a
+    /// pixel: light paths take no mip level, as a VPL has no size, and holes are cut where they
+    /// are. Linearly interpolated unless the texture is magnified otherwise. The twin of
+    /// `sample_texture` in `shaders/materials/texture.wgsl`.
     pub fn sample(&self, images: &[Texels], uv: Vec2) -> Vec4 {
         let image = &images[self.image as usize];
         let [width, height] = image.size;
         let at = uv * self.scale + self.offset;
         let (x0, x1, x) = neighbours(at.x, width, self.wrap[0]);
         let (y0, y1, y) = neighbours(at.y, height, self.wrap[1]);
+        let [x, y] = match self.filter.magnified {
+            Interpolation::Nearest => [x, y].map(|way| if way >= 0.5 { 1.0 } else { 0.0 }),
+            Interpolation::Linear => [x, y],
+        };
         let top = image.texel(x0, y0).lerp(image.texel(x1, y0), x);
         let bottom = image.texel(x0, y1).lerp(image.texel(x1, y1), x);
         top.lerp(bottom, y)

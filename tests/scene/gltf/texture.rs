@@ -3,6 +3,7 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use glam::{Vec2, Vec3};
+use gpu_vpl::scene::texture::{Filter, Interpolation};
 use gpu_vpl::scene::{Scene, Wrap};
 use serde_json::{Value, json};
 
@@ -110,7 +111,7 @@ fn coordinates_of_all_types_and_sets_are_read() {
 #[test]
 fn samplers_wrap() {
     let wrap = |s: Value, t: Value| {
-        let sampler = json!([{"wrapS": s, "wrapT": t, "magFilter": 9728}]);
+        let sampler = json!([{"wrapS": s, "wrapT": t}]);
         let scene = edited(&[("/samplers", sampler), ("/textures/0/sampler", json!(0))]);
         let texture = scene.textures[0];
         let at = |u: f32, v: f32| texture.sample(&scene.images, Vec2::new(u, v)).truncate();
@@ -129,6 +130,42 @@ fn samplers_wrap() {
     assert_eq!(colors, [GREEN, BLUE, GREEN]);
     let bad = [("/samplers", json!([{"wrapS": 3}])), ("/textures/0/sampler", json!(0))];
     refused(load_gltf(&textured().edit(&bad)), "mesh.gltf", "unknown way 3");
+}
+
+#[test]
+fn samplers_filter() {
+    let of = |sampler: Value| {
+        let edits = [("/samplers", json!([sampler])), ("/textures/0/sampler", json!(0))];
+        let scene = edited(&edits);
+        let place = Vec2::new(0.45, 0.25);
+        (scene.textures[0].filter, scene.textures[0].sample(&scene.images, place).truncate())
+    };
+    let (linear, nearest) = (Interpolation::Linear, Interpolation::Nearest);
+    let (filter, between) = of(json!({}));
+    assert_eq!(filter, Filter { magnified: linear, minified: linear, mipmaps: true });
+    let (filter, red) = of(json!({"magFilter": 9728, "minFilter": 9729}));
+    assert_eq!(filter, Filter { magnified: nearest, minified: linear, mipmaps: false });
+    assert_eq!(red.to_array(), RED);
+    assert!(between.y > 0.1 && between.x < 0.9, "{between}");
+    for (code, minified, mipmaps) in [
+        (9728, nearest, false),
+        (9729, linear, false),
+        (9984, nearest, true),
+        (9985, linear, true),
+        (9986, nearest, true),
+        (9987, linear, true),
+    ] {
+        let (filter, _) = of(json!({"magFilter": 9729, "minFilter": code}));
+        assert_eq!(filter, Filter { magnified: linear, minified, mipmaps }, "{code}");
+    }
+    for (key, what) in [("magFilter", "magnifies"), ("minFilter", "minifies")] {
+        let bad = [("/samplers", json!([{key: 9987 + 1}])), ("/textures/0/sampler", json!(0))];
+        refused(
+            load_gltf(&textured().edit(&bad)),
+            "mesh.gltf",
+            &format!("{what} in the unknown way 9988"),
+        );
+    }
 }
 
 /// A texture info with a transform.
