@@ -89,6 +89,7 @@
 //! render::frame          tiles and samples in their order
 //! render::picture        the pictures that explain the method
 //! render                 the steps of a frame in their order: read this first
+//! denoise                frames without their noise, by a library where it is installed
 //! error                  the union of all errors, and exit codes
 //! report                 what was done, and what the user should know of it
 //! study                  error over run time: plans, measurements, tables, plots, the page
@@ -120,6 +121,7 @@
 pub mod bvh;
 pub mod cli;
 pub mod cluster;
+pub mod denoise;
 pub mod error;
 pub mod extremes;
 pub mod gpu;
