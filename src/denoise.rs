@@ -23,6 +23,12 @@ use crate::scene::Camera;
 /// Camera rays a pixel for albedo and normals, at most: more do not change them visibly.
 const MOST_AUXILIARY_SAMPLES: u32 = 16;
 
+/// From so many on, albedo and normals count as free of noise; the filter then follows them closely,
+/// stairs at the edges of one sample a pixel included. Measured with paths, relMSE without and with:
+/// classroom, 1 sample .0265 and .0298, 4 samples .0088 and .0082; a hall with 13 lamps, 1 sample
+/// .0117 and .0141, 4 samples .0052 and .0048, 16 samples .0029 and .0024.
+const CLEAN_AUXILIARY_SAMPLES: u32 = 4;
+
 /// Open Image Denoise on the CPU: the same bytes for the same frame, whatever the threads.
 #[derive(Debug)]
 pub struct Denoiser {
@@ -152,6 +158,7 @@ impl Denoiser {
             color: &color,
             albedo: &albedo.pixels,
             normal: &normal.pixels,
+            clean: samples >= CLEAN_AUXILIARY_SAMPLES,
         })?;
         for (pixel, noisy) in pixels.iter_mut().zip(&noisy.pixels) {
             if !is_finite(noisy) {

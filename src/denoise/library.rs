@@ -120,10 +120,12 @@ pub struct Inputs<'a> {
     pub size: [usize; 2],
     /// Linear radiance from 0, with noise.
     pub color: &'a [[f32; 3]],
-    /// What surfaces reflect, in [0, 1], without noise.
+    /// What surfaces reflect, in [0, 1].
     pub albedo: &'a [[f32; 3]],
-    /// Their normals, of length 1 or shorter, without noise.
+    /// Their normals, of length 1 or shorter.
     pub normal: &'a [[f32; 3]],
+    /// Whether albedo and normals have no noise worth removing.
+    pub clean: bool,
 }
 
 impl Device {
@@ -176,9 +178,11 @@ impl Device {
     /// # Errors
     /// The library fails, or runs out of memory.
     pub fn denoise(&self, inputs: &Inputs<'_>) -> Result<Vec<[f32; 3]>, DenoiseError> {
-        let Inputs { size, color, albedo, normal } = *inputs;
+        let Inputs { size, color, albedo, normal, clean } = *inputs;
         let mut output = vec![[0.0; 3]; color.len()];
         let filter = Filter::new(self, size)?;
+        filter.set(c"hdr", true);
+        filter.set(c"cleanAux", clean);
         filter.set_input(c"color", color)?;
         filter.set_input(c"albedo", albedo)?;
         filter.set_input(c"normal", normal)?;
@@ -201,10 +205,10 @@ impl Drop for Device {
     }
 }
 
-/// A filter for ray-traced images. It has no image once [`Device::denoise`] returns.
+/// A filter for ray-traced images. It borrows its inputs, so that they outlive it.
 struct Filter<'a> {
     device: &'a Device,
-    handle: Handle,
+    handle: NonNull<c_void>,
     size: [usize; 2],
 }
 
@@ -214,20 +218,20 @@ impl<'a> Filter<'a> {
         // SAFETY: the handle is of a device, and the type a C string that is read at once.
         let handle = unsafe { (functions.new_filter)(device.handle.as_ptr(), c"RT".as_ptr()) };
         device.check()?;
-        let filter = Self { device, handle, size };
-        filter.set(c"hdr");
-        filter.set(c"cleanAux");
-        Ok(filter)
+        let handle = NonNull::new(handle)
+            .ok_or_else(|| DenoiseError::Failed("there is no filter RT".to_owned()))?;
+        Ok(Self { device, handle, size })
     }
 
-    fn set(&self, name: &CStr) {
+    fn set(&self, name: &CStr, value: bool) {
         // SAFETY: the handle is of a filter, and the name a C string that is read at once.
-        unsafe { (self.device.functions.set_filter_bool)(self.handle, name.as_ptr(), true) }
+        unsafe {
+            (self.device.functions.set_filter_bool)(self.handle.as_ptr(), name.as_ptr(), value);
+        }
     }
 
-    /// Names an image that lives as long as the call of [`Device::denoise`].
-    fn set_input(&self, name: &CStr, pixels: &[[f32; 3]]) -> Result<(), DenoiseError> {
-        // SAFETY: the library reads its inputs and does not write them.
+    fn set_input(&self, name: &CStr, pixels: &'a [[f32; 3]]) -> Result<(), DenoiseError> {
+        // SAFETY: the library reads its inputs and does not write them; they outlive the filter.
         unsafe { self.set_image(name, pixels.as_ptr().cast_mut(), pixels.len()) }
     }
 
@@ -247,7 +251,7 @@ impl<'a> Filter<'a> {
         // is packed, and has as many pixels as width and height say.
         unsafe {
             (self.device.functions.set_filter_image)(
-                self.handle,
+                self.handle.as_ptr(),
                 name.as_ptr(),
                 pixels.cast(),
                 FLOAT3,
@@ -261,16 +265,17 @@ impl<'a> Filter<'a> {
         self.device.check()
     }
 
-    fn run(&self, output: &mut [[f32; 3]]) -> Result<(), DenoiseError> {
+    /// Filters the inputs into an image. The filter ends with it, so that it cannot write to
+    /// pixels that are borrowed no more.
+    fn run(self, output: &mut [[f32; 3]]) -> Result<(), DenoiseError> {
         let functions = &self.device.functions;
-        // SAFETY: the output is written by `execute_filter`, which returns when it is done, as the
-        // device is a CPU; it is borrowed until then.
+        // SAFETY: the pixels are borrowed until the filter is released, at the end of this.
         unsafe { self.set_image(c"output", output.as_mut_ptr(), output.len())? };
         // SAFETY: the handle is of a filter, whose images are all alive.
-        unsafe { (functions.commit_filter)(self.handle) };
+        unsafe { (functions.commit_filter)(self.handle.as_ptr()) };
         self.device.check()?;
-        // SAFETY: as above; the filter is committed.
-        unsafe { (functions.execute_filter)(self.handle) };
+        // SAFETY: as above; the filter is committed. On a CPU it is done when this returns.
+        unsafe { (functions.execute_filter)(self.handle.as_ptr()) };
         self.device.check()
     }
 }
@@ -278,6 +283,6 @@ impl<'a> Filter<'a> {
 impl Drop for Filter<'_> {
     fn drop(&mut self) {
         // SAFETY: the handle is of a filter, and is not used again.
-        unsafe { (self.device.functions.release_filter)(self.handle) }
+        unsafe { (self.device.functions.release_filter)(self.handle.as_ptr()) }
     }
 }
