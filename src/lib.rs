@@ -38,7 +38,8 @@
 //! 10. **Antialiasing** (`camera`): where surfaces meet in a pixel, more camera rays weigh the
 //!     radiance of the visible points around.
 //! 11. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
-//!     and how long it took; [`metrics`] says how far it is from a reference; [`study`] renders
+//!     and how long it took; [`denoise`] renders frames and takes the noise of paths or of direct
+//!     light away, where a library for it is installed; [`metrics`] says how far it is from a reference; [`study`] renders
 //!     in many settings and compares; [`extremes`] holds the renderer against what must come out.
 //!
 //! One call of [`render::frame`] is one pass of the whole image with one seed; repeats and studies
