@@ -1,5 +1,6 @@
 //! What can go wrong: [`Error`] joins the errors of all rooms and knows the exit code.
 
+use crate::denoise::DenoiseError;
 use crate::gpu::GpuError;
 pub use crate::image::{ImageError, OutputError};
 use crate::render::{RenderError, SettingsError};
@@ -20,6 +21,9 @@ pub enum Error {
     /// The device cannot be used, or failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+    /// The denoiser failed.
+    #[error("{0}")]
+    Denoise(String),
     /// The result cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
@@ -47,7 +51,11 @@ impl Error {
             | Self::Image(_)
             | Self::Output(OutputError::UnknownFormat(_)) => 2,
             Self::Gpu(error) if error.is_missing_adapter() => 3,
-            Self::Gpu(_) | Self::Output(_) | Self::Strict(_) | Self::Wrong(_) => 1,
+            Self::Gpu(_)
+            | Self::Denoise(_)
+            | Self::Output(_)
+            | Self::Strict(_)
+            | Self::Wrong(_) => 1,
             Self::OverLimit(_) => 4,
             Self::Interrupted(_) => 130,
         }
@@ -59,6 +67,16 @@ impl From<RenderError> for Error {
         match error {
             RenderError::Settings(refused) => refused.into(),
             RenderError::Gpu(failed) => failed.into(),
+        }
+    }
+}
+
+impl From<DenoiseError> for Error {
+    fn from(error: DenoiseError) -> Self {
+        match error {
+            DenoiseError::Render(failed) => failed.into(),
+            DenoiseError::Failed(_) => Self::Denoise(error.to_string()),
+            DenoiseError::Refused(_) | DenoiseError::Missing(_) => Self::Usage(error.to_string()),
         }
     }
 }

@@ -38,7 +38,8 @@
 //! 10. **Antialiasing** (`camera`): where surfaces meet in a pixel, more camera rays weigh the
 //!     radiance of the visible points around.
 //! 11. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
-//!     and how long it took; [`metrics`] says how far it is from a reference; [`study`] renders
+//!     and how long it took; [`denoise`] renders frames and takes the noise of paths or of direct
+//!     light away, where a library for it is installed; [`metrics`] says how far it is from a reference; [`study`] renders
 //!     in many settings and compares; [`extremes`] holds the renderer against what must come out.
 //!
 //! One call of [`render::frame`] is one pass of the whole image with one seed; repeats and studies
@@ -89,6 +90,7 @@
 //! render::frame          tiles and samples in their order
 //! render::picture        the pictures that explain the method
 //! render                 the steps of a frame in their order: read this first
+//! denoise                frames without their noise, by a library where it is installed
 //! error                  the union of all errors, and exit codes
 //! report                 what was done, and what the user should know of it
 //! study                  error over run time: plans, measurements, tables, plots, the page
@@ -120,6 +122,7 @@
 pub mod bvh;
 pub mod cli;
 pub mod cluster;
+pub mod denoise;
 pub mod error;
 pub mod extremes;
 pub mod gpu;

@@ -59,6 +59,8 @@ pub struct Report {
     /// Root mean square over pixels and channels of the standard error of the pixels; null where
     /// there is none.
     pub standard_error: Option<f64>,
+    /// The version of the Open Image Denoise that denoised the image; null where none did.
+    pub denoiser: Option<String>,
     pub nonfinite_pixels: u64,
     pub dropped_triangles: u64,
     pub left_out: Vec<&'static str>,
@@ -118,6 +120,8 @@ pub struct FramePhases {
     #[serde(default)]
     pub compensation: f64,
     pub readback: f64,
+    #[serde(default)]
+    pub denoise: f64,
 }
 
 /// How long a kernel ran on the device, over all its dispatches.
@@ -173,13 +177,14 @@ impl From<&render::Phases> for FramePhases {
             shading: phases.shading.as_secs_f64(),
             compensation: phases.compensation.as_secs_f64(),
             readback: phases.readback.as_secs_f64(),
+            denoise: phases.denoise.as_secs_f64(),
         }
     }
 }
 
 impl RunPhases {
     /// Name and seconds of each phase in the order in which they run.
-    pub fn rows(&self) -> [(&'static str, f64); 14] {
+    pub fn rows(&self) -> [(&'static str, f64); 15] {
         let frame = &self.frame;
         [
             ("load", self.load),
@@ -195,14 +200,15 @@ impl RunPhases {
             ("shading", frame.shading),
             ("compensation", frame.compensation),
             ("readback", frame.readback),
+            ("denoise", frame.denoise),
             ("write", self.write),
         ]
     }
 }
 
 impl Report {
-    /// The report of what was prepared and of the first frame. Times, warnings and the frames
-    /// after it are the caller's to fill in.
+    /// The report of what was prepared and of the first frame. Times, warnings, the denoiser and
+    /// the frames after it are the caller's to fill in.
     pub fn new(prepared: &Prepared, settings: &Settings, seed: u32, first: &Frame) -> Self {
         let scene = &prepared.scene;
         let Image { width, height, .. } = first.image;
@@ -243,6 +249,7 @@ impl Report {
             compensated: counts.clamp.is_some() && settings.compensates(),
             truncated_fraction: counts.truncated_fraction,
             standard_error: first.standard_error.as_ref().map(root_mean_square),
+            denoiser: None,
             nonfinite_pixels: counts.nonfinite_pixels,
             dropped_triangles: scene.dropped_triangles,
             left_out: prepared.left_out(),

@@ -16,6 +16,7 @@ use warnings::Warnings;
 
 use super::adapter::adapter_choice;
 use super::console;
+use crate::denoise::Denoiser;
 use crate::error::{Error, OutputError};
 use crate::gpu::{Gpu, GpuError};
 use crate::image::Image;
@@ -35,6 +36,10 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     let aovs = args.aovs();
     let outputs = Outputs::check(&args.outputs, &aovs, args.report.as_ref())?;
     start_threads(args.threads)?;
+    let denoiser = match args.denoise {
+        true => Some(Denoiser::open(rayon::current_num_threads())?),
+        false => None,
+    };
 
     let mut phases = RunPhases::default();
     let mut warnings = Warnings::new(args.quiet, args.strict);
@@ -45,7 +50,7 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     }
     let exposure = args.exposure.unwrap_or(scene.exposure);
 
-    let job = prepare(args, scene, &mut phases)?;
+    let job = Job { denoiser, ..prepare(args, scene, &mut phases)? };
     let (frame, frames) = job.repeated(args.repeat)?;
     let aovs = job.aovs(&aovs, &frame)?;
     warnings.check(&frame, &job.settings)?;
@@ -64,6 +69,7 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     report.phases = phases;
     report.frames = frames;
     report.warnings = warnings.messages;
+    report.denoiser = job.denoiser.map(|denoiser| denoiser.version().to_owned());
     staged.extend(stage_report(&outputs, &report)?);
     commit(staged)?;
     if args.verbose {
@@ -101,7 +107,7 @@ fn prepare(args: &RenderArgs, scene: Scene, phases: &mut RunPhases) -> Result<Jo
     phases.bvh = prepared.bvh_time.as_secs_f64();
     phases.pipelines = prepared.pipelines_time.as_secs_f64();
     phases.device = (start.elapsed().as_secs_f64() - phases.bvh - phases.pipelines).max(0.0);
-    Ok(Job { prepared, camera, settings, seed: args.seed, quiet: args.quiet })
+    Ok(Job { prepared, camera, settings, seed: args.seed, denoiser: None, quiet: args.quiet })
 }
 
 fn stage_images(
@@ -114,7 +120,9 @@ fn stage_images(
 ) -> Result<Vec<Staged>, OutputError> {
     let method = job.settings.method;
     let adapter = &job.prepared.gpu.info.name;
-    let metadata = outputs::metadata(method, job.seed, &frame.counts, adapter, started.elapsed());
+    let mut metadata =
+        outputs::metadata(method, job.seed, &frame.counts, adapter, started.elapsed());
+    metadata.extend(job.denoiser.as_ref().map(outputs::denoised));
     let main = Shown { method, image: &frame.image };
     outputs.stage(main, aovs, exposure, &metadata)
 }

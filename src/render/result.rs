@@ -45,12 +45,30 @@ pub struct Phases {
     pub compensation: Duration,
     /// Copies from the device.
     pub readback: Duration,
+    /// Of frames of [`Denoiser`](crate::denoise::Denoiser): what is rendered for denoising alone, and denoising.
+    pub denoise: Duration,
 }
 
 impl Phases {
     /// pT of the thesis: generating VPLs (and clustering).
     pub fn preprocess(&self) -> Duration {
         self.vpls + self.cluster_points + self.cluster_vpls
+    }
+
+    /// Those of this frame and another.
+    pub fn plus(&self, other: &Self) -> Self {
+        Self {
+            visible_points: self.visible_points + other.visible_points,
+            direct: self.direct + other.direct,
+            vpls: self.vpls + other.vpls,
+            cluster_points: self.cluster_points + other.cluster_points,
+            cluster_vpls: self.cluster_vpls + other.cluster_vpls,
+            visibility: self.visibility + other.visibility,
+            shading: self.shading + other.shading,
+            compensation: self.compensation + other.compensation,
+            readback: self.readback + other.readback,
+            denoise: self.denoise + other.denoise,
+        }
     }
 
     /// rT of the thesis: visibility and shading, and what compensates the shading's bound.

@@ -202,6 +202,7 @@ fn mean_phases(frames: &[&FoundFrame]) -> FramePhases {
         shading: mean(|phases| phases.shading),
         compensation: mean(|phases| phases.compensation),
         readback: mean(|phases| phases.readback),
+        denoise: mean(|phases| phases.denoise),
     }
 }
 

@@ -3,6 +3,7 @@
 #![expect(clippy::expect_used, reason = "a helper of tests fails by panicking")]
 
 mod compare;
+mod denoise;
 mod info;
 mod outputs;
 mod path;
@@ -254,14 +255,14 @@ fn the_report_has_every_key() {
         "schema version scene method seed width height samples adapter triangles spheres lights \
          visible_points light_paths bounces vpls vpl_clusters point_clusters shadow_rays \
          shading_terms seconds phases frames threads peak_memory_bytes clamp clamped_fraction \
-         compensated truncated_fraction standard_error nonfinite_pixels dropped_triangles left_out warnings",
+         compensated truncated_fraction standard_error denoiser nonfinite_pixels dropped_triangles left_out warnings",
     );
     has(&report["adapter"], "name backend driver device_type");
     has(&report["seconds"], "preprocess render total");
     has(
         &report["phases"],
         "load bvh device pipelines visible_points direct vpls cluster_points cluster_vpls \
-         visibility shading compensation readback write",
+         visibility shading compensation readback denoise write",
     );
     assert_eq!(report["frames"].as_array().unwrap().len(), 2);
     has(&report["frames"][1], "seconds preprocess render");

@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::super::parse::{self, LightSamples};
 use super::aov::Aov;
+use crate::denoise;
 use crate::error::Error;
 use crate::render::{Bounces, Clamp, Clustering, Direct, Merge, Method, Representative, Settings};
 
@@ -74,6 +75,12 @@ pub struct RenderArgs {
           default_value_t = false, default_missing_value = "true", hide_default_value = true,
           action = clap::ArgAction::Set)]
     pub compensate: bool,
+
+    /// Take the noise away by Intel's Open Image Denoise: of all light with path, else of direct
+    /// light, as VPLs leave no noise of the kind. Needs its library, version 2: the file or
+    /// folder that $OIDN_LIBRARY names, else where the system finds it
+    #[arg(long)]
+    pub denoise: bool,
 
     /// Seed of all random numbers
     #[arg(long, allow_negative_numbers = true, default_value_t = 0)]
@@ -160,6 +167,13 @@ impl RenderArgs {
         if self.aovs.contains(&Aov::StandardError) && !has_error {
             let what = "--aov standard-error needs --method path with 2 --samples or more";
             return Err(Error::Usage(what.to_owned()));
+        }
+        if self.denoise {
+            denoise::check(&settings)?;
+            if self.aovs.contains(&Aov::StandardError) {
+                let what = "--denoise leaves no --aov standard-error; leave one of them out";
+                return Err(Error::Usage(what.to_owned()));
+            }
         }
         Ok(())
     }

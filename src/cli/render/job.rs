@@ -4,8 +4,10 @@ use std::time::Instant;
 
 use super::aov::Aov;
 use crate::cli::console::Progress;
+use crate::denoise::Denoiser;
+use crate::error::Error;
 use crate::image::Image;
-use crate::render::{self, Direct, Frame, Prepared, RenderError, Settings};
+use crate::render::{self, Direct, Frame, Prepared, Settings};
 use crate::report::FrameTimes;
 use crate::scene::Camera;
 
@@ -20,20 +22,26 @@ pub struct Job {
     pub settings: Settings,
     /// Of all random numbers.
     pub seed: u32,
+    /// What takes the noise of the image, but not of its AOVs.
+    pub denoiser: Option<Denoiser>,
     /// No progress bar.
     pub quiet: bool,
 }
 
 impl Job {
-    fn frame(&self, settings: &Settings) -> Result<Frame, RenderError> {
+    fn frame(&self, settings: &Settings, denoiser: Option<&Denoiser>) -> Result<Frame, Error> {
         let bar = Progress::new(!self.quiet);
         let progress = |fraction, phase| bar.set(fraction, phase);
-        render::frame(&self.prepared, &self.camera, settings, self.seed, &progress)
+        let Self { prepared, camera, seed, .. } = self;
+        match denoiser {
+            Some(denoiser) => Ok(denoiser.frame(prepared, camera, settings, *seed, &progress)?),
+            None => Ok(render::frame(prepared, camera, settings, *seed, &progress)?),
+        }
     }
 
-    fn timed_frame(&self) -> Result<(Frame, FrameTimes), RenderError> {
+    fn timed_frame(&self) -> Result<(Frame, FrameTimes), Error> {
         let start = Instant::now();
-        let frame = self.frame(&self.settings)?;
+        let frame = self.frame(&self.settings, self.denoiser.as_ref())?;
         let times = FrameTimes::new(start.elapsed(), &frame.phases);
         Ok((frame, times))
     }
@@ -42,8 +50,8 @@ impl Job {
     /// times of all.
     ///
     /// # Errors
-    /// The device fails.
-    pub fn repeated(&self, repeat: u32) -> Result<(Frame, Vec<FrameTimes>), RenderError> {
+    /// The device or the denoiser fails.
+    pub fn repeated(&self, repeat: u32) -> Result<(Frame, Vec<FrameTimes>), Error> {
         let (mut first, cold) = self.timed_frame()?;
         let mut times = vec![cold];
         for _ in 1..repeat {
@@ -58,13 +66,13 @@ impl Job {
     ///
     /// # Errors
     /// The device fails.
-    pub fn aovs(&self, aovs: &[Aov], frame: &Frame) -> Result<Vec<(Aov, Image)>, RenderError> {
+    pub fn aovs(&self, aovs: &[Aov], frame: &Frame) -> Result<Vec<(Aov, Image)>, Error> {
         let image = |aov: &Aov| match aov {
             Aov::Of(method) => {
                 // It shows no light, whichever way that comes.
                 let direct = Direct::default();
                 let settings = Settings { method: *method, direct, ..self.settings };
-                Some(self.frame(&settings).map(|frame| frame.image))
+                Some(self.frame(&settings, None).map(|frame| frame.image))
             }
             Aov::StandardError => frame.standard_error.clone().map(Ok),
         };

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::aov::Aov;
+use crate::denoise::Denoiser;
 use crate::error::{Error, OutputError};
 use crate::image::exr::{Metadata, Plane, Value};
 use crate::image::{Destination, Format, Image, Staged, Tone, exr, png};
@@ -171,4 +172,9 @@ pub fn metadata(
         metadata.extend(count.map(|count| (name, Value::Number(count as f64))));
     }
     metadata
+}
+
+/// What an EXR file says of what took its noise.
+pub fn denoised(denoiser: &Denoiser) -> (&'static str, Value) {
+    ("denoiser", Value::Text(format!("Open Image Denoise {}", denoiser.version())))
 }
