@@ -106,7 +106,8 @@ impl Denoiser {
         let mut frame = match settings.method.is_indirect() {
             true => self.beside_vpls(&view, settings)?,
             false => {
-                let mut frame = view.frame(settings)?;
+                // It takes noise that is combined already for texture.
+                let mut frame = view.frame(&Settings { direct_filter: false, ..*settings })?;
                 let start = Instant::now();
                 frame.image = self.denoise(&view, settings, &frame.image)?;
                 frame.phases.denoise += start.elapsed();
@@ -119,7 +120,9 @@ impl Denoiser {
 
     /// VPL light as it is, and direct light denoised.
     fn beside_vpls(&self, view: &View<'_>, settings: &Settings) -> Result<Frame, DenoiseError> {
-        let direct = view.frame(&Settings { method: Method::Direct, ..*settings })?;
+        // It takes noise that is combined already for texture.
+        let noisy = Settings { method: Method::Direct, direct_filter: false, ..*settings };
+        let direct = view.frame(&noisy)?;
         let mut frame = view.frame(&Settings { direct: Direct::Off, ..*settings })?;
         let start = Instant::now();
         // Both show what is emitted towards the camera.

@@ -290,8 +290,11 @@ impl Settings {
     /// Whether light samples are combined over pixels. Not where a pixel has so many visible points
     /// that each takes one: there is nothing to tell its noise by, and little noise.
     pub fn filters_direct(&self) -> bool {
-        let combines = self.method.is_lit() && self.method != Method::Path;
-        combines && self.direct_filter && self.light_samples_per_point() > 1
+        let samples = self.method.is_lit() && self.method != Method::Path;
+        samples
+            && self.direct != Direct::Off
+            && self.direct_filter
+            && self.light_samples_per_point() > 1
     }
 
     /// Whether visible points take numbers of light samples of their own.

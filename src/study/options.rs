@@ -18,6 +18,7 @@ fn values(settings: &Settings) -> Vec<(&'static str, String)> {
         Merge::Visibility => "visibility",
     };
     let edges = method.is_lit() && *method != Method::Path;
+    let filter = edges && settings.direct != Direct::Off && !settings.direct_filter;
     let threshold = (points || vpls).then(|| clustering.normal_threshold.to_string());
     [
         ("method", Some(method.name().to_owned())),
@@ -37,6 +38,7 @@ fn values(settings: &Settings) -> Vec<(&'static str, String)> {
         ("interleave", number(gathers, settings.interleave)),
         ("direct", word(method.is_lit(), direct(settings.direct))),
         ("light-samples", settings.light_samples.and_then(|count| number(method.is_lit(), count))),
+        ("direct-filter", filter.then(|| "off".to_owned())),
         ("clamp", gathers.then(|| clamp(settings.clamp))),
         ("compensate", settings.compensates().then(String::new)),
         ("edge-samples", number(edges, settings.edge_samples)),

@@ -8,10 +8,10 @@ use std::mem::offset_of;
 
 use gpu_vpl::gpu::{
     AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DirectParams,
-    DirectionalLightRecord, ExpandParams, GlossyVplRecord, InterleaveParams, MaterialRecord,
-    NodeRecord, PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams,
-    SphereLightRecord, SpotLightRecord, StartParams, TextureRecord, TriangleRecord,
-    VisibilityParams, VplRecord,
+    DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
+    InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord, PathParams, PathRecord,
+    PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord, SpotLightRecord,
+    StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};
@@ -112,6 +112,13 @@ fn records() -> Vec<Record> {
             points, lights, first, count, seed, first_block, offset, nodes, sample, samples, rays,
             pad,
         }),
+        record!(FilterParams as "FilterParams" {
+            width, height, step, last, tolerance, rays, pad,
+        }),
+        record!(GuideParams as "GuideParams" {
+            blocks, across, first_block, strata, seed, offset, nodes, round,
+        }),
+        record!(LightStratumRecord as "LightStratum" { low, extent, kind, pad }),
         record!(VisibilityParams as "VisibilityParams" {
             rows, vpls, first_word, matrix_word, offset, nodes, first, count, first_point, pad,
         }),

@@ -119,4 +119,4 @@ impl<'a> DirectFilter<'a> {
 }
 
 // The last level reads the second buffer.
-const _: () = assert!(LEVELS % 2 == 0);
+const _: () = assert!(LEVELS.is_multiple_of(2));

@@ -123,7 +123,8 @@ impl<'a, 'scene> Frames<'a, 'scene> {
         let least = FEWER * settings.light_samples_per_point();
         let rays = self.light_samples.div_ceil(settings.samples).max(least);
         let rays = rays.min(Settings::MOST_LIGHT_SAMPLES);
-        let with = |rays: u32| Settings { light_samples: Some(rays), ..direct };
+        let with =
+            |rays: u32| Settings { light_samples: Some(rays), direct_filter: false, ..direct };
         let few = self.frame(&with(rays / FEWER), seed)?;
         Ok(Estimate::converged(self.frame(&with(rays), seed)?, &few))
     }
@@ -136,7 +137,10 @@ impl<'a, 'scene> Frames<'a, 'scene> {
             _ => Some(self.light_samples.div_ceil(FILM_SAMPLES)),
         };
         self.over_pixel(FILM_SAMPLES, |this, samples| {
-            this.frame(&Settings { samples, light_samples, ..light }, FILM_SEED)
+            this.frame(
+                &Settings { samples, light_samples, direct_filter: false, ..light },
+                FILM_SEED,
+            )
         })
     }
 

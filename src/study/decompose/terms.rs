@@ -99,6 +99,7 @@ fn image_of(values: &[f32], like: &Image) -> Image {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use Part::{All, Antialiasing, Direct, Indirect, Vpls};
 
     fn exact(values: [f32; 2]) -> (Image, Estimate) {
         let image = Image { width: 2, height: 1, pixels: values.map(|value| [value; 3]).into() };
@@ -119,17 +120,16 @@ mod tests {
         let zero = image.minus(&image);
         let direct = Estimate { value: [[1.0; 3], [0.0; 3]].as_flattened().into(), ..zero.clone() };
         let film = Estimate { value: [[0.0; 3], [-0.5; 3]].as_flattened().into(), ..zero };
-        let terms = vec![(Part::Direct, direct), (Part::Antialiasing, film)];
+        let terms = vec![(Direct, direct), (Antialiasing, film)];
         let found = decomposition(&reference, &[true; 2], &image, terms.clone(), true).unwrap();
         let left = |part| found.parts.iter().find(|own| own.part == part).unwrap().left;
         assert!(close(found.whole.relmse, per(5.0)) && close(found.whole.bias, -0.25));
-        assert!(close(left(Part::Direct).relmse, per(4.0)));
-        assert!(close(left(Part::Antialiasing).relmse, per(1.0 + 1.5 * 1.5)));
-        assert!(close(left(Part::Vpls).relmse, per(1.0 + 0.25)));
-        assert!(close(left(Part::All).relmse, per(1.5 * 1.5)));
-        assert_eq!(left(Part::Indirect), left(Part::Vpls));
+        assert!(close(left(Direct).relmse, per(4.0)));
+        assert!(close(left(Antialiasing).relmse, per(1.0 + 1.5 * 1.5)));
+        assert!(close(left(Vpls).relmse, per(1.0 + 0.25)));
+        assert!(close(left(All).relmse, per(1.5 * 1.5)));
+        assert_eq!(left(Indirect), left(Vpls));
         let order: Vec<_> = found.parts.iter().map(|own| own.part).collect();
-        use Part::{All, Antialiasing, Direct, Indirect, Vpls};
         assert_eq!(order, [Direct, Indirect, Antialiasing, Vpls, All]);
         let masked = decomposition(&reference, &[true, false], &image, terms, false).unwrap();
         assert!(close(masked.whole.relmse, 1.0 / 4.04) && masked.parts.len() == 3);
@@ -141,7 +141,7 @@ mod tests {
         let zero = zero.minus(&zero);
         let (_, few) = exact([0.0, 2.3]);
         let light = Estimate::converged(exact([0.0, 2.0]).1, &few);
-        let terms = vec![(Part::Direct, zero.minus(&light)), (Part::Antialiasing, light)];
+        let terms = vec![(Direct, zero.minus(&light)), (Antialiasing, light)];
         let image = Estimate::exact(&reference);
         let found = decomposition(&reference, &[true; 2], &image, terms, false).unwrap();
         let noise: Vec<_> = found.parts.iter().map(|own| own.noise).collect();
