@@ -10,7 +10,7 @@ const ROOT = 8u;
 // Of children that no ray meets.
 const LAST_KEY = 0x7ffffffc;
 
-// Where a words of a table is: TABLE_WIDTH of src/gpu/texture.rs.
+// Where four words of a table are: TABLE_WIDTH of src/gpu/texture.rs.
 fn table_place(i: u32) -> vec2u {
     return vec2u(i & 8191u, i >> 13u);
 }
