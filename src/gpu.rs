@@ -8,6 +8,7 @@ mod error;
 mod kernel;
 mod layout;
 mod shader;
+mod texture;
 mod timer;
 
 pub use adapter::{AdapterChoice, AdapterDescription, AdapterInfo, adapters};
@@ -23,4 +24,5 @@ pub use layout::{
     StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use shader::{Linked, Module, Program};
+pub use texture::Texture;
 pub use timer::DispatchTimes;

@@ -35,7 +35,9 @@ fn traverse(
     var at = select(0u, node_count, limit <= 0.0);
     while at < node_count {
         let node = nodes[at];
-        if !meets_box(reciprocal, node.low - origin, node.high - origin, best.t) {
+        // What is as near may be in a box that by rounding begins behind it.
+        let far = best.t * BEYOND;
+        if !meets_box(reciprocal, node.low - origin, node.high - origin, far) {
             at = node.skip;
             continue;
         }

@@ -1,29 +1,93 @@
 // Closest and any hit for a subgroup that goes through the hierarchy as one: as
-// traverse.wgsl, for rays that are near each other. Nodes and triangles are loaded by eight
-// lanes together, a word each. All lanes must call it together.
+// traverse.wgsl, for rays that are near each other. All lanes must call it together. Nodes of four
+// children (src/bvh/wide.rs) and triangles are loaded by eight lanes together, four words each.
 
-@group(0) @binding(1) var<storage, read> nodes: array<f32>;
-@group(0) @binding(2) var<storage, read> triangles: array<f32>;
+@group(0) @binding(90) var node_table: texture_2d<u32>;
+@group(0) @binding(91) var triangle_table: texture_2d<u32>;
 
-fn load_vector(at: u32) -> vec3f {
-    return vec3f(triangles[at], triangles[at + 1u], triangles[at + 2u]);
+// The second node: see src/bvh/wide.rs.
+const ROOT = 8u;
+// Of children that no ray meets.
+const LAST_KEY = 0x7ffffffc;
+
+// Where four words of a table are: TABLE_WIDTH of src/gpu/texture.rs.
+fn table_place(i: u32) -> vec2u {
+    return vec2u(i & 8191u, i >> 13u);
 }
 
 fn load_triangle(i: u32) -> Triangle {
-    let at = 12u * i;
+    let one = textureLoad(triangle_table, table_place(3u * i), 0);
+    let two = textureLoad(triangle_table, table_place(3u * i + 1u), 0);
+    let three = textureLoad(triangle_table, table_place(3u * i + 2u), 0);
     return Triangle(
-        load_vector(at),
-        bitcast<u32>(triangles[at + 3u]),
-        load_vector(at + 4u),
-        bitcast<u32>(triangles[at + 7u]),
-        load_vector(at + 8u),
-        bitcast<u32>(triangles[at + 11u]),
+        bitcast<vec3f>(one.xyz),
+        one.w,
+        bitcast<vec3f>(two.xyz),
+        two.w,
+        bitcast<vec3f>(three.xyz),
+        three.w,
     );
 }
 
 // Whether some ray that is traced together with this one wants it.
 fn some_ray(is: bool) -> bool {
     return subgroupAny(is);
+}
+
+// Links to what is still to be visited, the next first: eight a register, one a lane.
+struct Stack {
+    a: u32,
+    b: u32,
+    c: u32,
+    d: u32,
+    e: u32,
+    f: u32,
+    g: u32,
+    h: u32,
+}
+
+// Puts links before those of a stack, of which lane i has the i-th; takes the first off. 0 if there
+// are none.
+fn next_link(stack: ptr<function, Stack>, links: u32, count: u32, lane: u32) -> u32 {
+    let before = *stack;
+    let pops = count == 0u;
+    let next = select(subgroupBroadcast(links, 0u), subgroupBroadcast(before.a, 0u), pops);
+    // What is in a register moves on by so many lanes less one; what leaves it enters the next.
+    let source = (lane + 1u - count) & 7u;
+    let enters = select(lane + 1u < count, lane == 7u, pops);
+    let a = subgroupShuffle(before.a, source);
+    let b = subgroupShuffle(before.b, source);
+    let c = subgroupShuffle(before.c, source);
+    let d = subgroupShuffle(before.d, source);
+    let e = subgroupShuffle(before.e, source);
+    let f = subgroupShuffle(before.f, source);
+    let g = subgroupShuffle(before.g, source);
+    let h = subgroupShuffle(before.h, source);
+    let rest = subgroupShuffle(links, (lane + 1u) & 7u);
+    *stack = Stack(
+        select(a, select(rest, b, pops), enters),
+        select(b, select(a, c, pops), enters),
+        select(c, select(b, d, pops), enters),
+        select(d, select(c, e, pops), enters),
+        select(e, select(d, f, pops), enters),
+        select(f, select(e, g, pops), enters),
+        select(g, select(f, h, pops), enters),
+        select(h, select(g, 0u, pops), enters),
+    );
+    return next;
+}
+
+// Whether the ray meets a child, which these words hold, at 0 <= t <= reach.
+fn meets_child(low: vec4u, high: vec4u, reciprocal: vec3f, origin: vec3f, reach: f32) -> bool {
+    let bottom = bitcast<vec3f>(low.xyz) - origin;
+    let top = bitcast<vec3f>(high.xyz) - origin;
+    return low.w != 0u && meets_box(reciprocal, bottom, top, reach);
+}
+
+// Numbers that are in order as these are, NaN or not, with a child's index to tell them apart.
+fn order_key(along: f32, child: u32) -> i32 {
+    let bits = bitcast<i32>(along);
+    return ((bits ^ ((bits >> 31u) & 0x7fffffff)) & ~3) | i32(child);
 }
 
 // The nearest hit at 0 < t < limit, or, with `any`, one of them. The limit 0 means no ray.
@@ -36,54 +100,63 @@ fn traverse(
     invocation: u32,
 ) -> Hit {
     let lane = invocation & 7u;
+    let child = lane >> 1u;
     let reciprocal = finite_reciprocal(direction);
     var best = Hit(limit, NOTHING, vec3f(0.0));
     var lowest = NOTHING;
     // A lane that has what it wants sets this below 0, and meets nothing any more.
     var reach = select(limit, -1.0, limit <= 0.0);
-    var at = 0u;
-    while at < node_count {
+    // Children are visited in the order of their middles along the packet.
+    let ahead = subgroupAdd(select(vec3f(0.0), direction, limit > 0.0));
+    var stack = Stack();
+    var link = select(0u, ROOT, subgroupAny(limit > 0.0));
+    while link != 0u {
         // Down to the next leaf that some ray meets.
-        var leaf = 0u;
-        while at < node_count {
-            let loaded = nodes[8u * at + lane];
-            let low = vec3f(
-                subgroupBroadcast(loaded, 0u),
-                subgroupBroadcast(loaded, 1u),
-                subgroupBroadcast(loaded, 2u),
+        while link != 0u && (link & 7u) == 0u {
+            let words = textureLoad(node_table, table_place(link + lane), 0);
+            let low0 = subgroupBroadcast(words, 0u);
+            let high0 = subgroupBroadcast(words, 1u);
+            let low1 = subgroupBroadcast(words, 2u);
+            let high1 = subgroupBroadcast(words, 3u);
+            let low2 = subgroupBroadcast(words, 4u);
+            let high2 = subgroupBroadcast(words, 5u);
+            let low3 = subgroupBroadcast(words, 6u);
+            let high3 = subgroupBroadcast(words, 7u);
+            // What is as near may be in a box that by rounding begins behind it.
+            let far = reach * BEYOND;
+            let met = subgroupOr(
+                select(0u, 1u, meets_child(low0, high0, reciprocal, origin, far))
+                | select(0u, 2u, meets_child(low1, high1, reciprocal, origin, far))
+                | select(0u, 4u, meets_child(low2, high2, reciprocal, origin, far))
+                | select(0u, 8u, meets_child(low3, high3, reciprocal, origin, far))
             );
-            let high = vec3f(
-                subgroupBroadcast(loaded, 4u),
-                subgroupBroadcast(loaded, 5u),
-                subgroupBroadcast(loaded, 6u),
-            );
-            let met = subgroupAny(meets_box(reciprocal, low - origin, high - origin, reach));
-            leaf = select(0u, bitcast<u32>(subgroupBroadcast(loaded, 7u)), met);
-            at = select(bitcast<u32>(subgroupBroadcast(loaded, 3u)), at + 1u, met);
-            if leaf != 0u { break; }
+            let end = dot(bitcast<vec3f>(words.xyz), ahead);
+            let along = order_key(end + subgroupShuffle(end, lane ^ 1u), child);
+            let key = select(LAST_KEY | i32(child), along, ((met >> child) & 1u) != 0u);
+            let rank = u32(subgroupBroadcast(key, 0u) < key)
+                + u32(subgroupBroadcast(key, 2u) < key)
+                + u32(subgroupBroadcast(key, 4u) < key)
+                + u32(subgroupBroadcast(key, 6u) < key);
+            // The lane of the child that comes as the lane's number.
+            var place = 6u;
+            place = select(place, 4u, subgroupBroadcast(rank, 4u) == lane);
+            place = select(place, 2u, subgroupBroadcast(rank, 2u) == lane);
+            place = select(place, 0u, subgroupBroadcast(rank, 0u) == lane);
+            let links = subgroupShuffle(words.w, place);
+            link = next_link(&stack, links, countOneBits(met), lane);
         }
-        let end = leaf / 8u + leaf % 8u;
-        for (var i = leaf / 8u; i < end; i++) {
-            let head = triangles[12u * i + lane];
-            let tail = triangles[12u * i + 8u + (lane & 3u)];
-            let index = bitcast<u32>(subgroupBroadcast(head, 7u));
-            let a = vec3f(
-                subgroupBroadcast(head, 0u),
-                subgroupBroadcast(head, 1u),
-                subgroupBroadcast(head, 2u),
+        let end = link / 8u + link % 8u;
+        for (var i = link / 8u; i < end; i++) {
+            let loaded = textureLoad(triangle_table, table_place(3u * i + min(lane, 2u)), 0);
+            let one = subgroupBroadcast(loaded, 0u);
+            let two = subgroupBroadcast(loaded, 1u);
+            let three = subgroupBroadcast(loaded, 2u);
+            let index = two.w;
+            let kind = three.w;
+            let m = meet(
+                bitcast<vec3f>(one.xyz), bitcast<vec3f>(two.xyz), bitcast<vec3f>(three.xyz),
+                kind, origin, direction,
             );
-            let b = vec3f(
-                subgroupBroadcast(head, 4u),
-                subgroupBroadcast(head, 5u),
-                subgroupBroadcast(head, 6u),
-            );
-            let c = vec3f(
-                subgroupBroadcast(tail, 0u),
-                subgroupBroadcast(tail, 1u),
-                subgroupBroadcast(tail, 2u),
-            );
-            let kind = bitcast<u32>(subgroupBroadcast(tail, 3u));
-            let m = meet(a, b, c, kind, origin, direction);
             // At t = limit nothing counts, as `lowest` is set only by a hit.
             let tie = m.t == best.t && lowest != NOTHING && index < lowest;
             let counts = m.inside && m.t > 0.0 && reach > 0.0 && (m.t < best.t || tie);
@@ -93,6 +166,7 @@ fn traverse(
                 reach = select(m.t, -1.0, any);
             }
         }
+        link = next_link(&stack, 0u, 0u, lane);
         if any && !subgroupAny(reach > 0.0) { break; }
     }
     return best;

@@ -24,8 +24,8 @@ impl Bvh {
     /// What it is like.
     pub fn quality(&self) -> Quality {
         let leaves = self.nodes.iter().filter(|node| node.leaf != 0).count();
-        let cost = |node: &NodeRecord| half_area(node) * (1.0 + f64::from(node.leaf % 8));
-        let root = self.nodes.first().map_or(0.0, half_area);
+        let cost = |node: &NodeRecord| node.half_area() * (1.0 + f64::from(node.leaf % 8));
+        let root = self.nodes.first().map_or(0.0, NodeRecord::half_area);
         let cost: f64 = self.nodes.iter().map(cost).sum();
         Quality {
             nodes: self.nodes.len(),
@@ -51,9 +51,12 @@ impl Bvh {
     }
 }
 
-fn half_area(node: &NodeRecord) -> f64 {
-    let [x, y, z] = std::array::from_fn(|axis| f64::from(node.high[axis] - node.low[axis]));
-    x * y + y * z + z * x
+impl NodeRecord {
+    /// Half of the surface of its box.
+    pub(super) fn half_area(&self) -> f64 {
+        let [x, y, z] = std::array::from_fn(|axis| f64::from(self.high[axis] - self.low[axis]));
+        x * y + y * z + z * x
+    }
 }
 
 #[cfg(test)]

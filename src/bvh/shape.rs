@@ -39,7 +39,7 @@ impl TriangleRecord {
 /// an edge and twice a corner, and 7 half ulps are lost on the way to the sum.
 const VOLUME_ROUNDING: f32 = 1.7e-6;
 /// A triangle that a ray meets by that slack alone comes after one at the same place that it meets.
-const BEYOND: f32 = 1.000_01;
+pub(super) const BEYOND: f32 = 1.000_01;
 
 /// From the volumes that the ray spans with the edges. An edge gives exactly opposite volumes to
 /// its two triangles, so that no ray slips between them (Woop, Benthin and Wald, "Watertight

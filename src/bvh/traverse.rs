@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::shape::BEYOND;
 use super::{Bvh, Hit, Ray};
 use crate::gpu::TriangleRecord;
 
@@ -33,7 +34,8 @@ impl Bvh {
             let t1 = (Vec3::from_array(node.high) - ray.origin) * reciprocal;
             let near = t0.min(t1).max_element().max(0.0);
             let far = t0.max(t1).min_element() * WIDEN;
-            if near > far.min(limit) {
+            // What is as near may be in a box that by rounding begins behind it.
+            if near > far.min(limit * BEYOND) {
                 at = node.skip as usize;
                 continue;
             }

@@ -1,6 +1,6 @@
 //! A compiled program, and the buffers bound to it by name.
 
-use super::{Gpu, GpuError, Linked, Module, Program};
+use super::{Gpu, GpuError, Linked, Module, Program, Texture};
 
 /// A program compiled for a device.
 #[derive(Debug)]
@@ -52,14 +52,34 @@ impl Gpu {
         kernel: &Kernel,
         buffers: &[(&str, &wgpu::Buffer)],
     ) -> Result<Bindings, GpuError> {
+        self.bind_with(kernel, buffers, &[])
+    }
+
+    /// The same, with tables in textures as well.
+    ///
+    /// # Errors
+    /// As [`Gpu::bind`].
+    pub fn bind_with(
+        &self,
+        kernel: &Kernel,
+        buffers: &[(&str, &wgpu::Buffer)],
+        textures: &[Texture],
+    ) -> Result<Bindings, GpuError> {
         let entries = kernel
             .bindings
             .iter()
             .map(|(name, binding)| {
-                let (_, buffer) = buffers.iter().find(|(b, _)| b == name).ok_or_else(|| {
-                    GpuError::Invalid(format!("{}: no buffer for '{name}'", kernel.label))
-                })?;
-                Ok(wgpu::BindGroupEntry { binding: *binding, resource: buffer.as_entire_binding() })
+                let buffer = buffers.iter().find(|(known, _)| known == name);
+                let texture = textures.iter().find(|texture| texture.name == name);
+                let resource = match (buffer, texture) {
+                    (Some((_, buffer)), _) => buffer.as_entire_binding(),
+                    (None, Some(texture)) => wgpu::BindingResource::TextureView(&texture.view),
+                    (None, None) => {
+                        let what = format!("{}: no buffer for '{name}'", kernel.label);
+                        return Err(GpuError::Invalid(what));
+                    }
+                };
+                Ok(wgpu::BindGroupEntry { binding: *binding, resource })
             })
             .collect::<Result<Vec<_>, GpuError>>()?;
         self.checked(kernel.label, || {

@@ -11,7 +11,7 @@ use super::kernels::Tracing;
 use super::kernels::literals::Literals;
 use super::lights::{LightKind, Lights};
 use super::settings::Settings;
-use crate::bvh::Bvh;
+use crate::bvh::{Bvh, WideBvh};
 use crate::gpu::Program;
 use crate::scene::Scene;
 
@@ -22,6 +22,8 @@ pub struct Plan {
     pub scene: Scene,
     /// The hierarchy over the scene's triangles and spheres.
     pub bvh: Bvh,
+    /// The same for packets of rays, where there are any: not without subgroups, nor against literals.
+    pub wide: Option<WideBvh>,
     /// The light sources.
     pub lights: Lights,
     /// What is linked for the scene.
@@ -42,13 +44,16 @@ impl Plan {
         let everything = settings.link_everything;
         let start = Instant::now();
         let bvh = Bvh::of(&scene);
+        let literals = if everything { None } else { Literals::of(&scene, &bvh) };
+        let wide = (subgroups && literals.is_none()).then(|| WideBvh::of(&bvh));
         let bvh_time = start.elapsed();
         let lights = Lights::of(&scene);
         Self {
             near_lights: everything || lights.any_near(&bvh),
             lights,
             features: Self::features(&scene, settings),
-            literals: if everything { None } else { Literals::of(&scene, &bvh) },
+            literals,
+            wide,
             everything,
             subgroups,
             bvh_time,
@@ -118,6 +123,6 @@ impl Plan {
 
     /// The tables that the device holds of the scene, and their sizes in bytes.
     pub fn tables(&self) -> Vec<(&'static str, u64)> {
-        memory::tables(&self.scene, &self.bvh, &self.lights, self.features)
+        memory::tables(&self.scene, &self.bvh, self.wide.as_ref(), &self.lights, self.features)
     }
 }

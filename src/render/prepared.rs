@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use super::lights::LightKind;
 use super::plan::Plan;
 use super::settings::Settings;
-use crate::gpu::{Gpu, GpuError, Kernel, Program};
+use crate::gpu::{Gpu, GpuError, Kernel, Program, Texture};
 use crate::scene::{Environment, Scene};
 use compiled::CompiledKernels;
 
@@ -26,6 +26,8 @@ pub struct Prepared {
     pub pipelines_time: Duration,
     kernels: CompiledKernels,
     tables: Vec<tables::Table>,
+    /// Those that packets of rays are traced through.
+    pub textures: Vec<Texture>,
     /// The lights of each kind.
     pub light_tables: Vec<(LightKind, wgpu::Buffer)>,
     environment_texels: Option<wgpu::Buffer>,
@@ -44,6 +46,10 @@ impl Prepared {
         let lights = &plan.lights;
         let mut prepared = Self {
             tables: tables::upload(&gpu, &plan.scene, &plan.bvh, plan.features)?,
+            textures: match &plan.wide {
+                Some(wide) => tables::of_packets(&gpu, &plan.bvh, wide)?,
+                None => Vec::new(),
+            },
             light_tables: plan
                 .kinds_with_tables()
                 .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
@@ -92,11 +98,12 @@ impl Prepared {
         self.tables.iter().map(|(name, of)| (*name, of)).chain(lights).chain(texels)
     }
 
-    /// Bytes of the scene's buffers on the device.
+    /// Bytes of the scene's tables on the device.
     pub fn table_bytes(&self) -> u64 {
         let lights = self.light_tables.iter().map(|(_, buffer)| buffer);
         let tables = self.tables.iter().map(|(_, buffer)| buffer).chain(lights);
-        tables.chain(&self.environment_texels).map(wgpu::Buffer::size).sum()
+        let buffers = tables.chain(&self.environment_texels).map(wgpu::Buffer::size);
+        buffers.chain(self.textures.iter().map(|texture| texture.bytes)).sum()
     }
 
     /// Features that no shader module linked so far serves.

@@ -31,7 +31,7 @@ impl Stage {
         // The largest of the parameter records; a kernel reads its own.
         let params = prepared.gpu.parameters::<CameraParams>("parameters")?;
         let buffers = [buffers, &[("params", &params)]].concat();
-        let bindings = prepared.gpu.bind(&kernel, &buffers)?;
+        let bindings = prepared.gpu.bind_with(&kernel, &buffers, &prepared.textures)?;
         Ok(Self { kernel, bindings, params })
     }
 

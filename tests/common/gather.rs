@@ -112,7 +112,7 @@ impl<'a> VisibilityDispatch<'a> {
             ("counter", &counter),
         ];
         let buffers: Vec<_> = own.into_iter().chain(world.named()).collect();
-        let bindings = gpu.bind(&kernel, &buffers).unwrap();
+        let bindings = gpu.bind_with(&kernel, &buffers, &world.textures).unwrap();
         let counts = [points.len(), vpls.len(), world.bvh.nodes.len()];
         Self { gpu, tracing, kernel, bindings, params, bits, counter, counts }
     }

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::mem::offset_of;
 
+use gpu_vpl::bvh::{WideChild, WideNode};
 use gpu_vpl::gpu::{
     AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DirectParams,
     DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
@@ -214,6 +215,16 @@ fn every_struct_in_a_buffer_has_a_host_record() {
         }
     }
     assert!(seen > 11, "only {seen} buffers of structs");
+}
+
+/// `trace/traverse_packet.wgsl` reads nodes and triangles by four words.
+#[test]
+fn packets_find_the_children_of_nodes() {
+    assert_eq!((size_of::<WideNode>(), size_of::<WideChild>()), (8 * 16, 2 * 16));
+    assert_eq!([offset_of!(WideChild, low), offset_of!(WideChild, high)], [0, 16]);
+    assert_eq!(offset_of!(WideChild, link), 12);
+    let last = [offset_of!(TriangleRecord, material), offset_of!(TriangleRecord, index)];
+    assert_eq!((last, offset_of!(TriangleRecord, kind)), ([12, 28], 44));
 }
 
 /// `visibility_packet.wgsl` reads nodes and triangles word by word.

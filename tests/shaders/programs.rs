@@ -203,7 +203,7 @@ fn what_an_entry_point_does_not_use_is_not_bound() {
 fn plain_programs_hold_neither_spheres_nor_textures() {
     let words = |program: &Program| {
         let source = program.link().expect("it is valid").source.to_lowercase();
-        ["sphere", "texture", "texel", "cutout", "alpha"].map(|word| source.contains(word))
+        ["sphere", "sample_texture", "texels", "cutout", "alpha"].map(|word| source.contains(word))
     };
     let [none, all] = [Features::default(), Features::everything()].map(|features| {
         let target = Target::of(true, features);

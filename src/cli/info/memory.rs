@@ -44,6 +44,7 @@ fn host(plan: &Plan) -> u64 {
         size_of_val(&scene.materials[..]),
         size_of_val(&bvh.nodes[..]),
         size_of_val(&bvh.triangles[..]),
+        plan.wide.as_ref().map_or(0, |wide| size_of_val(&wide.nodes[..])),
         sky.map_or(0, |image| size_of_val(&image.texels[..])),
         images,
     ];

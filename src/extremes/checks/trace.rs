@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use bytemuck::{Pod, Zeroable};
 
-use crate::bvh::{Bvh, Ray};
-use crate::gpu::{Dispatch, Gpu, GpuError, Module, PointRecord, Program};
+use crate::bvh::{Bvh, Ray, WideBvh};
+use crate::gpu::{Dispatch, Gpu, GpuError, Module, PointRecord, Program, Texture};
 use crate::render::Features;
 use crate::render::kernels::catalogue::{
     HIT_TRIANGLES, LITERALS, RAY, SHAPE_TRIANGLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
@@ -70,6 +70,8 @@ pub struct World {
     pub features: Features,
     /// On the device.
     pub tables: Vec<Table>,
+    /// What packets go through, on the device.
+    pub textures: Vec<Texture>,
     /// All triangles, if they are few.
     pub literals: Option<Literals>,
 }
@@ -85,7 +87,8 @@ impl World {
             ("triangles", gpu.storage_of("triangles", &bvh.triangles)?),
         ];
         let literals = Literals::of_triangles(&bvh.triangles, &[], true);
-        Ok(Self { bvh: bvh.clone(), features: Features::default(), tables, literals })
+        let textures = tables::of_packets(gpu, bvh, &WideBvh::of(bvh))?;
+        Ok(Self { bvh: bvh.clone(), features: Features::default(), tables, textures, literals })
     }
 
     /// Of a scene.
@@ -95,7 +98,8 @@ impl World {
     pub fn of(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
         let (bvh, features) = (Bvh::of(scene), Features::of(scene));
         let tables = tables::upload(gpu, scene, &bvh, features)?;
-        Ok(Self { bvh, features, tables, literals: None })
+        let textures = tables::of_packets(gpu, &bvh, &WideBvh::of(&bvh))?;
+        Ok(Self { bvh, features, tables, textures, literals: None })
     }
 
     /// Its buffers, by name.
@@ -152,7 +156,7 @@ fn with(
     let rays_buffer = gpu.storage_of("rays", &rays)?;
     let own = [("params", &params), ("rays", &rays_buffer), ("hits", &hits)];
     let buffers: Vec<_> = own.into_iter().chain(world.named()).collect();
-    let bindings = gpu.bind(&kernel, &buffers)?;
+    let bindings = gpu.bind_with(&kernel, &buffers, &world.textures)?;
     gpu.run(&[Dispatch {
         kernel: &kernel,
         bindings: &bindings,

@@ -2,10 +2,10 @@
 
 use glam::Vec2;
 
-use crate::bvh::Bvh;
+use crate::bvh::{Bvh, WideBvh, WideNode};
 use crate::gpu::{
     AreaLightRecord, BsdfRecord, DirectionalLightRecord, MaterialRecord, NodeRecord,
-    PointLightRecord, SphereLightRecord, SpotLightRecord, TextureRecord, TriangleRecord,
+    PointLightRecord, SphereLightRecord, SpotLightRecord, Texture, TextureRecord, TriangleRecord,
 };
 use crate::render::features::Features;
 use crate::render::lights::{LightKind, Lights};
@@ -16,6 +16,7 @@ use crate::scene::{Material, Scene};
 pub fn tables(
     scene: &Scene,
     bvh: &Bvh,
+    wide: Option<&WideBvh>,
     lights: &Lights,
     features: Features,
 ) -> Vec<(&'static str, u64)> {
@@ -28,6 +29,13 @@ pub fn tables(
         ("triangles and spheres", of::<TriangleRecord>(bvh.triangles.len())),
         ("materials", of::<MaterialRecord>(materials)),
     ];
+    if let Some(wide) = wide {
+        let shapes = Texture::bytes_of::<TriangleRecord>(bvh.triangles.len());
+        tables.extend([
+            ("nodes for packets", Texture::bytes_of::<WideNode>(wide.nodes.len())),
+            ("shapes for packets", shapes),
+        ]);
+    }
     if features.has_bsdfs() {
         tables.push(("bsdfs", of::<BsdfRecord>(materials)));
     }

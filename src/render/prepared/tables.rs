@@ -2,8 +2,10 @@
 
 use glam::Vec2;
 
-use crate::bvh::Bvh;
-use crate::gpu::{Gpu, GpuError, MaterialRecord, NodeRecord, TextureRecord, TriangleRecord};
+use crate::bvh::{Bvh, WideBvh};
+use crate::gpu::{
+    Gpu, GpuError, MaterialRecord, NodeRecord, Texture as Texels, TextureRecord, TriangleRecord,
+};
 use crate::render::features::Features;
 use crate::render::materials::bsdf;
 use crate::render::plan::memory::{UsedImage, used_images};
@@ -92,6 +94,17 @@ pub fn upload(
         tables.push(("light_textures", gpu.storage_of("textures of area lights", &lights)?));
     }
     Ok(tables)
+}
+
+/// What packets of rays are traced through: nodes, and the shapes of their leaves.
+///
+/// # Errors
+/// They do not fit.
+pub fn of_packets(gpu: &Gpu, bvh: &Bvh, wide: &WideBvh) -> Result<Vec<Texels>, GpuError> {
+    Ok(vec![
+        gpu.texture_of("node_table", &wide.nodes)?,
+        gpu.texture_of("triangle_table", &bvh.triangles)?,
+    ])
 }
 
 /// The triangle of each area light, and its textures: see
