@@ -4,25 +4,37 @@
 // Of the samples, how many are drawn by what would arrive if nothing were in the way, and how many go
 // to all strata alike: where the pilot rays are wrong, they bound the weights of samples.
 const UNSHADOWED = 0.1;
-const UNIFORM = 0.01;
+const UNIFORM = 0.03;
 // Counts of pilot rays that what is known of a larger group of strata is worth.
 const PRIOR = 4.0;
 // Strata side by side are consecutive, four by four: so these are groups of them.
 const GROUP = 4u;
 const LARGE_GROUP = 16u;
 
-var<workgroup> tries: array<atomic<u32>, MOST_STRATA>;
-var<workgroup> arrivals: array<atomic<u32>, MOST_STRATA>;
-// Of the strata of each invocation.
+// An even sky is open where this share of the pilot rays to it arrives.
+const OPEN = 0.9;
+
+// Pilot rays, and those of them that arrived.
+var<workgroup> tried: array<vec2f, MOST_STRATA>;
+var<workgroup> unshadowed_drawn: array<f32, MOST_STRATA>;
+// Of the strata of each invocation, and of all.
 var<workgroup> sums: array<vec4f, 64>;
+var<workgroup> whole: vec4f;
 
 // Tries and arrivals of a run of strata.
 fn counted(first: u32, count: u32) -> vec2f {
     var sum = vec2f(0.0);
     for (var stratum = first; stratum < min(first + count, params.strata); stratum++) {
-        sum += vec2f(f32(atomicLoad(&tries[stratum])), f32(atomicLoad(&arrivals[stratum])));
+        sum += tried[stratum];
     }
     return sum;
+}
+
+// Whether a stratum is drawn from.
+fn is_drawn(stratum: u32, is_open: bool) -> bool {
+    let of_sky = stratum < params.even_sky;
+    let hemisphere = params.even_sky > 0u && stratum == params.strata - 1u;
+    return select(!hemisphere, !of_sky, is_open);
 }
 
 // The share that arrives, where a share is thought to beforehand.
@@ -37,64 +49,83 @@ fn main(
 ) {
     let block = group.x;
     let column = i32((params.first_block + block) % params.across);
-    for (var around = 0u; around < 25u; around++) {
-        let way = vec2i(i32(around % 5u) - 2, i32(around / 5u) - 2);
-        let other = i32(block) + way.y * i32(params.across) + way.x;
-        let is = other >= 0 && other < i32(params.blocks)
-            && column + way.x >= 0 && column + way.x < i32(params.across);
-        var pilot = NO_PILOT;
-        if is { pilot = pilots[u32(other) * 64u + invocation]; }
-        if pilot != NO_PILOT {
+    for (var stratum = invocation; stratum < params.strata; stratum += 64u) {
+        var sum = vec2f(0.0);
+        let blocks_around = select(25u, 0u, params.round == 0u);
+        for (var around = 0u; around < blocks_around; around++) {
+            let way = vec2i(i32(around % 5u) - 2, i32(around / 5u) - 2);
+            let other = i32(block) + way.y * i32(params.across) + way.x;
+            let is = other >= 0 && other < i32(params.blocks)
+                && column + way.x >= 0 && column + way.x < i32(params.across);
+            let pilot = pilots[u32(select(i32(block), other, is)) * params.strata + stratum];
             // Those nearer count more.
-            let counts = 6u - u32(abs(way.x)) - u32(abs(way.y));
-            atomicAdd(&tries[pilot & ~ARRIVED], counts);
-            if (pilot & ARRIVED) != 0u { atomicAdd(&arrivals[pilot & ~ARRIVED], counts); }
+            let counts = select(0, 6 - abs(way.x) - abs(way.y), is);
+            sum += f32(counts) * vec2f(f32(pilot & 0xffffu), f32(pilot >> 16u));
         }
+        tried[stratum] = sum;
     }
     workgroupBarrier();
 
-    // A run of consecutive strata for each invocation, whole large groups.
-    let run = (params.strata + 64u * LARGE_GROUP - 1u) / (64u * LARGE_GROUP) * LARGE_GROUP;
-    let first = min(invocation * run, params.strata);
-    let end = min(first + run, params.strata);
-    let own = counted(first, run);
-    sums[invocation] = vec4f(own, 0.0, 0.0);
+    // A large group of strata for each invocation that has one.
+    let runs = (params.strata + LARGE_GROUP - 1u) / LARGE_GROUP;
+    let first = min(invocation * LARGE_GROUP, params.strata);
+    let end = min(first + LARGE_GROUP, params.strata);
+    if invocation < runs {
+        let of_sky = counted(first, select(0u, LARGE_GROUP, first < params.even_sky));
+        let of_hemisphere = select(0u, 1u, params.even_sky > 0u && end == params.strata);
+        sums[invocation] =
+            vec4f(counted(first, LARGE_GROUP), of_sky + counted(params.strata - 1u, of_hemisphere));
+    }
     workgroupBarrier();
-    var all = vec2f(0.0);
-    for (var i = 0u; i < 64u; i++) { all += sums[i].xy; }
+    if invocation == 0u {
+        var sum = vec4f(0.0);
+        for (var i = 0u; i < runs; i++) { sum += sums[i]; }
+        whole = sum;
+    }
     workgroupBarrier();
+    let counts = whole;
+    let all = counts.xy;
+    let is_open = counts.z > 0.0 && counts.w >= OPEN * counts.z;
     let overall = (all.y + 1.0) / (all.x + 1.0);
     let row = block * params.strata;
-    var given = vec2f(0.0);
-    for (var large = first; large < end; large += LARGE_GROUP) {
-        let of_large = arriving(counted(large, LARGE_GROUP), overall);
-        for (var small = large; small < min(large + LARGE_GROUP, end); small += GROUP) {
-            let of_small = arriving(counted(small, GROUP), of_large);
-            for (var stratum = small; stratum < min(small + GROUP, end); stratum++) {
-                // Of light that arrives with a probability, the variance is least if samples are
-                // drawn by its root.
-                let share = sqrt(arriving(counted(stratum, 1u), of_small));
-                arriving_share[row + stratum] = share;
-                given += unshadowed[row + stratum] * vec2f(1.0, share);
-            }
+    var given = vec3f(0.0);
+    let of_large = arriving(counted(first, LARGE_GROUP), overall);
+    for (var small = first; small < end; small += GROUP) {
+        let of_small = arriving(counted(small, GROUP), of_large);
+        for (var stratum = small; stratum < min(small + GROUP, end); stratum++) {
+            // Of light that arrives with a probability, the variance is least if samples are drawn
+            // by its root.
+            let share = sqrt(arriving(counted(stratum, 1u), of_small));
+            arriving_share[row + stratum] = share;
+            // What is not drawn from gives nothing.
+            let light = select(0.0, unshadowed[row + stratum], is_drawn(stratum, is_open));
+            unshadowed_drawn[stratum] = light;
+            given += vec3f(light * vec2f(1.0, share), f32(is_drawn(stratum, is_open)));
         }
     }
-    sums[invocation] = vec4f(given, 0.0, 0.0);
+    // In place of the sums, what is before each.
+    sums[invocation] = vec4f(given, 0.0);
     workgroupBarrier();
-    var before = vec2f(0.0);
-    var total = vec2f(0.0);
-    for (var i = 0u; i < 64u; i++) {
-        let other = sums[i].xy;
-        before += select(vec2f(0.0), other, i < invocation);
-        total += other;
+    if invocation == 0u {
+        var sum = vec4f(0.0);
+        for (var i = 0u; i < runs; i++) {
+            let own = sums[i];
+            sums[i] = sum;
+            sum += own;
+        }
+        whole = sum;
     }
-    let even = 1.0 / f32(params.strata);
+    workgroupBarrier();
+    // Light, light that arrives, and strata.
+    var before = sums[invocation].xyz;
+    let total = whole.xyz;
     for (var stratum = first; stratum < end; stratum++) {
-        let light = unshadowed[row + stratum];
-        before += light * vec2f(1.0, arriving_share[row + stratum]);
-        let all_before = f32(stratum + 1u) * even;
-        let plain = select(all_before, before.x / total.x, total.x > 0.0);
+        let light = unshadowed_drawn[stratum];
+        let share = arriving_share[row + stratum];
+        before += vec3f(light * vec2f(1.0, share), f32(is_drawn(stratum, is_open)));
+        let even = before.z / total.z;
+        let plain = select(even, before.x / total.x, total.x > 0.0);
         let aimed = select(plain, before.y / total.y, total.y > 0.0);
-        guide[row + stratum] = mix(mix(aimed, plain, UNSHADOWED), all_before, UNIFORM);
+        guide[row + stratum] = mix(mix(aimed, plain, UNSHADOWED), even, UNIFORM);
     }
 }

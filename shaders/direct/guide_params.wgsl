@@ -11,8 +11,15 @@ struct GuideParams {
     seed: u32,
     offset: f32,
     nodes: u32,
-    // Of the pilot rays.
+    // Of the pilot rays; the guide is first made before there are any.
     round: u32,
+    // Strata of an even sky, which are the first; then the last stratum is the same sky by the cosine
+    // at the point, of which one direction is as good as another where nothing is in the way. Either
+    // these or that are drawn from.
+    even_sky: u32,
+    pad0: u32,
+    pad1: u32,
+    pad2: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: GuideParams;
@@ -20,11 +27,10 @@ struct GuideParams {
 // Of each block and stratum of the lights: what it gives unshadowed; the share of it that is thought
 // to arrive; its probability and all before it.
 @group(0) @binding(84) var<storage, read_write> guide: array<f32>;
+// How many pilot rays went to it from the points of the block, and in the upper half of the bits how
+// many of them arrived.
 @group(0) @binding(85) var<storage, read_write> pilots: array<u32>;
 @group(0) @binding(86) var<storage, read_write> unshadowed: array<f32>;
 @group(0) @binding(87) var<storage, read_write> arriving_share: array<f32>;
 
-const MOST_STRATA = 384u;
-// Of pilots: none; and a bit of those that arrived.
-const NO_PILOT = 0xffffffffu;
-const ARRIVED = 0x80000000u;
+const MOST_STRATA = 448u;

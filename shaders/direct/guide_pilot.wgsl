@@ -1,16 +1,10 @@
 // A pilot ray of each pixel, which tells the guide what is in the way. Pilot rays count for nothing
 // else: samples that are drawn by what they found stay unbiased.
 
-// The stratum whose interval of probability holds u.
-fn choose_stratum(first: u32, u: f32) -> u32 {
-    var low = 0u;
-    var high = params.strata - 1u;
-    while high > low {
-        let middle = (low + high) / 2u;
-        if guide[first + middle] <= u { low = middle + 1u; } else { high = middle; }
-    }
-    return low;
-}
+// One for each stratum; in the upper half of the bits those that arrived.
+var<workgroup> counts: array<atomic<u32>, MOST_STRATA>;
+
+const ARRIVED = 0x10000u;
 
 // No invocation returns early: a subgroup may trace its rays together.
 @compute @workgroup_size(64)
@@ -21,15 +15,20 @@ fn main(
     let index = group.x * 64u + invocation;
     let point = points[index];
     // Half of the pixels in each round, as on a chessboard.
-    let own = ((invocation ^ (invocation >> 1u)) & 1u) == params.round;
+    let own = ((invocation ^ (invocation >> 1u)) & 1u) == params.round - 1u;
     let stream = hash(hash(params.first_block * 64u + index) + params.seed);
     let u = stratified(invocation / 2u, 1.0 / 32.0, stream);
-    let stratum = choose_stratum(group.x * params.strata, u.x);
+    let stratum = choose_stratum(group.x * params.strata, params.strata, u.x).stratum;
     let light = sample_stratum(stratum, point, scrambled(invocation, hash(stream)), params.offset);
     let is = own && point.surface != NOTHING && light.faces && light.density > 0.0;
     let origin = offset_position(point, params.offset);
     let limit = select(0.0, light.limit, is);
     let hit = traverse(origin, light.toward, limit, params.nodes, true, invocation);
     let arrived = select(0u, ARRIVED, hit.triangle == NOTHING);
-    if own { pilots[index] = select(NO_PILOT, stratum | arrived, is); }
+    if is { atomicAdd(&counts[stratum], 1u + arrived); }
+    workgroupBarrier();
+    let row = group.x * params.strata;
+    for (var i = invocation; i < params.strata; i += 64u) {
+        pilots[row + i] += atomicLoad(&counts[i]);
+    }
 }

@@ -1,13 +1,15 @@
 // What the strata of the lights give unshadowed to a block of pixels.
 
 // Points of a block that are asked.
-const ASKED = 8u;
+const ASKED = 4u;
 // Others may face elsewhere: a cosine counts as this at least, in blocks of one orientation and in
 // others.
 const LEAST_COSINE = vec2f(0.02, 0.2);
 const ONE_ORIENTATION = 0.99;
 
 var<workgroup> uneven: atomic<u32>;
+// For each point of the block, itself or the next that sees a surface; 64 where there is none.
+var<workgroup> next_surface: array<u32, 64>;
 
 fn given_about(point: Point, light: LightSample, least: f32) -> f32 {
     let cosine = dot(normalize(light.toward), point.normal);
@@ -28,18 +30,27 @@ fn main(
     let alike = dot(own.normal, other.normal) > ONE_ORIENTATION
         && dot(own.normal, far.normal) > ONE_ORIENTATION;
     if !alike { atomicStore(&uneven, 1u); }
+    if invocation == 0u {
+        var next = 64u;
+        for (var i = 128u; i > 0u; i--) {
+            let place = (i - 1u) % 64u;
+            if points[block * 64u + place].surface != NOTHING { next = place; }
+            next_surface[place] = next;
+        }
+    }
     workgroupBarrier();
     let least = select(LEAST_COSINE.x, LEAST_COSINE.y, atomicLoad(&uneven) != 0u);
     for (var stratum = invocation; stratum < params.strata; stratum += 64u) {
         var sum = 0.0;
         for (var i = 0u; i < ASKED; i++) {
-            // One in each eighth of the block.
-            let point = points[block * 64u + 8u * i + (5u * stratum + 3u * i) % 8u];
+            // One in each quarter of the block.
+            let place = next_surface[16u * i + (5u * stratum + 7u * i) % 16u];
+            let point = points[block * 64u + min(place, 63u)];
             let u = fract(vec2f(0.5) + f32(i) * vec2f(0.7548777, 0.5698403));
             let light = sample_stratum(stratum, point, u, params.offset);
-            sum += select(given_about(point, light, least), 0.0, point.surface == NOTHING);
+            sum += select(given_about(point, light, least), 0.0, place == 64u);
         }
         unshadowed[block * params.strata + stratum] = sum;
+        pilots[block * params.strata + stratum] = 0u;
     }
-    pilots[block * 64u + invocation] = NO_PILOT;
 }

@@ -13,7 +13,8 @@ struct DirectParams {
     samples: u32,
     // Of a point, over all dispatches.
     rays: u32,
-    pad: u32,
+    // Places that each ray chooses from.
+    candidates: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: DirectParams;

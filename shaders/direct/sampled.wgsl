@@ -7,21 +7,8 @@
 // The share of its light that is thought to arrive.
 @group(0) @binding(87) var<storage, read> arriving_share: array<f32>;
 
-// Places on the lights of which a ray chooses one by what it is thought to give: Talbot, Cline and
+// A place on the lights: of a few that are drawn, one by what it is thought to give. Talbot, Cline and
 // Egbert, "Importance Resampling for Global Illumination", EGSR 2005.
-const CANDIDATES = 2u;
-
-// The stratum whose interval of probability holds u.
-fn choose_stratum(first: u32, u: f32) -> u32 {
-    var low = 0u;
-    var high = params.lights - 1u;
-    while high > low {
-        let middle = (low + high) / 2u;
-        if guide[first + middle] <= u { low = middle + 1u; } else { high = middle; }
-    }
-    return low;
-}
-
 struct Drawn {
     light: LightSample,
     // By which its irradiance is multiplied.
@@ -33,17 +20,14 @@ fn draw_light(point: Point, row: u32, place: u32, all: u32, stream: u32) -> Draw
     var sum = 0.0;
     // One number decides all: what is left of it after a choice is uniform again.
     var decides = f32(hash(stream ^ hash(place + 1u)) >> 8u) / 16777216.0;
-    for (var i = 0u; i < CANDIDATES; i++) {
+    for (var i = 0u; i < params.candidates; i++) {
         // Strata of all candidates of all rays; those of a ray are spread over the lights.
-        let u = stratified(i * all + place, 1.0 / f32(CANDIDATES * all), stream);
-        let stratum = choose_stratum(row, u.x);
-        var before = 0.0;
-        if stratum > 0u { before = guide[row + stratum - 1u]; }
-        let probability = max(guide[row + stratum] - before, 1e-9);
-        let inside = vec2f(saturate((u.x - before) / probability), u.y);
-        let light = sample_stratum(stratum, point, inside, params.offset);
-        let gives = given(light) * arriving_share[row + stratum];
-        let weight = gives / probability;
+        let u = stratified(i * all + place, 1.0 / f32(params.candidates * all), stream);
+        let choice = choose_stratum(row, params.lights, u.x);
+        let light =
+            sample_stratum(choice.stratum, point, vec2f(choice.rest, u.y), params.offset);
+        let gives = given(light) * arriving_share[row + choice.stratum];
+        let weight = gives / choice.probability;
         sum += weight;
         let share = select(0.0, weight / sum, weight > 0.0);
         if decides < share {
@@ -53,7 +37,7 @@ fn draw_light(point: Point, row: u32, place: u32, all: u32, stream: u32) -> Draw
             decides = (decides - share) / max(1.0 - share, 1e-7);
         }
     }
-    drawn.weight *= sum / f32(CANDIDATES);
+    drawn.weight *= sum / f32(params.candidates);
     return drawn;
 }
 

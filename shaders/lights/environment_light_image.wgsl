@@ -17,7 +17,7 @@ fn environment_rest(at: u32, u: f32) -> f32 {
     return saturate((u - before) / (environment_before(at + 1u) - before));
 }
 
-fn sample_environment_light(point: Point, at: vec2f, offset: f32) -> LightSample {
+fn sample_environment_light(kind: u32, point: Point, at: vec2f, offset: f32) -> LightSample {
     let count = vec2u(environment[5], environment[6]);
     let row = environment_find(ENVIRONMENT_ROWS, count.y, at.y);
     let cells = environment_cells(row);

@@ -1,5 +1,5 @@
 // No environment.
 
-fn sample_environment_light(point: Point, at: vec2f, offset: f32) -> LightSample {
+fn sample_environment_light(kind: u32, point: Point, at: vec2f, offset: f32) -> LightSample {
     return LightSample();
 }

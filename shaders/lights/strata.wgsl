@@ -26,7 +26,7 @@ fn sample_stratum(index: u32, point: Point, u: vec2f, offset: f32) -> LightSampl
     } else if stratum.kind == SPHERE_LIGHT {
         light = sample_sphere_light(point, at, offset);
     } else {
-        light = sample_environment_light(point, at, offset);
+        light = sample_environment_light(stratum.kind, point, at, offset);
     }
     light.density /= stratum.extent.x * stratum.extent.y;
     return light;

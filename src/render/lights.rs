@@ -28,7 +28,7 @@ pub use bounds::Bounds;
 pub use environment::EnvironmentLight;
 pub use kind::LightKind;
 pub use start::Start;
-pub use strata::strata;
+pub use strata::LightStrata;
 pub use table::Table;
 
 /// All lights of a scene.
@@ -139,6 +139,12 @@ impl Lights {
     pub fn solid_density(&self) -> f32 {
         let power = self.sphere.power;
         if power > 0.0 { (4.0 * PI * PI / power) as f32 } else { 0.0 }
+    }
+
+    /// The strata of the lights of these kinds, of those that have some extent.
+    pub fn strata(&self, kinds: &[LightKind]) -> LightStrata {
+        let counts: Vec<_> = kinds.iter().map(|&kind| (kind, self.count(kind))).collect();
+        LightStrata::of(&counts, self.environment.as_ref().is_some_and(EnvironmentLight::is_even))
     }
 
     /// Whether any surface emits.

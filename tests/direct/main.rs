@@ -6,5 +6,6 @@ mod common;
 mod closed_forms;
 mod environment;
 mod lights;
+mod sampling;
 mod sphere_lights;
 mod spheres;

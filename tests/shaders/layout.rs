@@ -111,13 +111,13 @@ fn records() -> Vec<Record> {
         }),
         record!(DirectParams as "DirectParams" {
             points, lights, first, count, seed, first_block, offset, nodes, sample, samples, rays,
-            pad,
+            candidates,
         }),
         record!(FilterParams as "FilterParams" {
             width, height, step, last, tolerance, rays, pad,
         }),
         record!(GuideParams as "GuideParams" {
-            blocks, across, first_block, strata, seed, offset, nodes, round,
+            blocks, across, first_block, strata, seed, offset, nodes, round, even_sky, pad,
         }),
         record!(LightStratumRecord as "LightStratum" { low, extent, kind, pad }),
         record!(VisibilityParams as "VisibilityParams" {

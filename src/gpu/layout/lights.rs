@@ -151,7 +151,8 @@ pub struct LightStratumRecord {
     pub low: [f32; 2],
     /// Its extent.
     pub extent: [f32; 2],
-    /// Of the lights: 0 emitting triangles, 1 emitting spheres, 2 the environment.
+    /// Of the lights: 0 emitting triangles, 1 emitting spheres, 2 the environment, 3 an even one by
+    /// the cosine at the point.
     pub kind: u32,
     /// Unused.
     pub pad: [u32; 3],

@@ -66,8 +66,8 @@ pub struct DirectParams {
     pub samples: u32,
     /// Light samples of a point.
     pub rays: u32,
-    /// Unused.
-    pub pad: u32,
+    /// Places on the lights that each ray chooses from.
+    pub candidates: u32,
 }
 
 /// Parameters of the filter of direct light.
@@ -110,6 +110,10 @@ pub struct GuideParams {
     pub nodes: u32,
     /// Of the pilot rays.
     pub round: u32,
+    /// Strata of an even sky, which are the first; the last is then the same sky by the cosine.
+    pub even_sky: u32,
+    /// Unused.
+    pub pad: [u32; 3],
 }
 
 /// Parameters of the visibility stage.

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use crate::gpu::{GpuError, GuideParams, Program};
 use crate::render::camera::{FrameSetup, Tile};
+use crate::render::lights::LightStrata;
 use crate::render::prepared::Prepared;
 use crate::render::stage::{Named, Stage};
 use crate::sampling::{SURFACE_OFFSET, hash};
@@ -25,22 +26,22 @@ pub struct Guide<'a> {
 }
 
 impl<'a> Guide<'a> {
-    /// For the tiles of a frame and so many strata, which are bound by name; by the programs of
+    /// For the tiles of a frame and these strata, which are bound by name; by the programs of
     /// unshadowed light, of pilot rays and of the guide.
     ///
     /// # Errors
     /// The device refuses.
     pub fn new(
         setup: &FrameSetup<'a>,
-        strata: u32,
+        strata: &LightStrata,
         [unshadowed, pilot, guide]: [&Program; 3],
         named: &[Named<'_>],
     ) -> Result<Self, GpuError> {
         let FrameSetup { prepared, seed, tiling, .. } = *setup;
         let points = setup.most_points();
-        let entries = points / 64 * strata as usize;
+        let entries = points / 64 * strata.records.len();
         let table = prepared.gpu.storage::<f32>("guide", entries)?;
-        let pilots = prepared.gpu.storage::<u32>("pilot rays", points)?;
+        let pilots = prepared.gpu.storage::<u32>("pilot rays", entries)?;
         let unshadowed_light = prepared.gpu.storage::<f32>("unshadowed light", entries)?;
         let arriving = prepared.gpu.storage::<f32>("arriving share", entries)?;
         let own = [
@@ -52,7 +53,8 @@ impl<'a> Guide<'a> {
         let named = [&own[..], named].concat();
         let params = GuideParams {
             across: tiling.across(),
-            strata,
+            strata: strata.records.len() as u32,
+            even_sky: strata.even_sky,
             seed: hash(seed ^ 0x1b87_3593),
             offset: SURFACE_OFFSET,
             nodes: prepared.bvh.nodes.len() as u32,
@@ -84,7 +86,7 @@ impl<'a> Guide<'a> {
             GuideParams { blocks: tile.blocks, first_block: tile.first_block, ..self.params };
         let run = |stage: &Stage, params| stage.run(self.prepared, &params, [tile.blocks, 1]);
         let mut time = run(&self.unshadowed, params)? + run(&self.guide, params)?;
-        for round in 0..2 {
+        for round in 1..=2 {
             let params = GuideParams { round, ..params };
             time += run(&self.pilot, params)? + run(&self.guide, params)?;
         }

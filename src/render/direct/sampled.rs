@@ -7,7 +7,7 @@ use super::guide::Guide;
 use crate::gpu::{DirectParams, GpuError};
 use crate::render::camera::{FrameSetup, Tile};
 use crate::render::kernels::rays_at_once;
-use crate::render::lights::{LightKind, strata};
+use crate::render::lights::LightKind;
 use crate::render::prepared::Prepared;
 use crate::render::stage::{Named, Stage};
 use crate::render::visibility::dispatch_rays;
@@ -15,6 +15,9 @@ use crate::sampling::{SURFACE_OFFSET, hash};
 
 /// As `MOST` of `shaders/direct/ray_counts.wgsl`.
 const MOST_TIMES: u32 = 4;
+
+/// So many samples of a pixel are stratified better than a choice among candidates leaves them.
+const STRATIFIED: u32 = 64;
 
 /// Shadow rays to all lights that have some extent.
 #[derive(Debug)]
@@ -40,12 +43,12 @@ impl<'a> SampledLight<'a> {
         named: &[Named<'_>],
     ) -> Result<Self, GpuError> {
         let FrameSetup { prepared, settings, seed, .. } = *setup;
-        let strata = strata(&prepared.lights, kinds);
-        let table = prepared.gpu.storage_of("strata of the lights", &strata)?;
+        let strata = prepared.lights.strata(kinds);
+        let table = prepared.gpu.storage_of("strata of the lights", &strata.records)?;
         let named = [&[("light_strata", &table)], named].concat();
         let [unshadowed, pilot, guide, samples] = prepared.direct_sampled_programs(kinds, settings);
         let programs = [&unshadowed, &pilot, &guide];
-        let guide = Guide::new(setup, strata.len() as u32, programs, &named)?;
+        let guide = Guide::new(setup, &strata, programs, &named)?;
         let rays = settings.light_samples_per_point();
         let filter = settings.filters_direct();
         let filter =
@@ -53,8 +56,9 @@ impl<'a> SampledLight<'a> {
         let mut named = [&guide.named()[..], &named].concat();
         named.extend(filter.iter().map(|filter| ("ray_counts", &filter.ray_counts)));
         let params = DirectParams {
-            lights: strata.len() as u32,
+            lights: strata.records.len() as u32,
             rays,
+            candidates: if rays * settings.samples < STRATIFIED { 2 } else { 1 },
             samples: settings.samples,
             seed: hash(seed),
             offset: SURFACE_OFFSET,

@@ -122,6 +122,7 @@ modules! {
     ONLY_SPHERE = "lights/only_sphere";
     ONLY_ENVIRONMENT = "lights/only_environment";
     LIGHT_STRATA = "lights/strata";
+    CHOOSE_STRATUM = "direct/choose_stratum" for "guided light samples";
     GUIDE_PARAMS = "direct/guide_params" for "guided light samples";
     GUIDE_UNSHADOWED = "direct/guide_unshadowed" for "guided light samples";
     GUIDE_PILOT = "direct/guide_pilot" for "guided light samples";

@@ -1,15 +1,15 @@
 //! The programs of light straight from its source.
 
 use super::catalogue::{
-    DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, FILTER_GUIDE, FILTER_LEVEL, FILTER_SURFACES,
-    GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, ONE_SURFACE, PACK_SURFACES, PIXELS, RAY,
-    RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING, TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES,
-    VIEW_DIRECTION,
+    CHOOSE_STRATUM, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, FILTER_GUIDE, FILTER_LEVEL,
+    FILTER_SURFACES, GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, ONE_SURFACE,
+    PACK_SURFACES, PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING, TRIANGLE_AREA,
+    TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
 };
 use super::gather::{surface, surface_code};
 use super::lights::{light_strata, lights_of};
 use super::materials::{gathered, lobes};
-use super::trace::rays;
+use super::trace::{rays, shapes};
 use crate::gpu::{Module, Program};
 use crate::render::features::Target;
 use crate::render::lights::LightKind;
@@ -39,13 +39,19 @@ pub fn direct_sampled(target: Target, kinds: &[LightKind], near: bool, counted: 
     modules.extend(rays(target));
     modules.push(&DIRECT_PARAMS);
     modules.extend(light_strata(target, kinds, place(near)));
-    modules.extend([if counted { &RAYS_COUNTED } else { &RAYS_ALIKE }, &DIRECT_SAMPLED]);
+    modules.push(if counted { &RAYS_COUNTED } else { &RAYS_ALIKE });
+    modules.extend([&CHOOSE_STRATUM, &DIRECT_SAMPLED]);
     Program::new("direct light, samples", modules)
 }
 
 /// What the strata of the lights give unshadowed to blocks of pixels.
 pub fn guide_unshadowed(target: Target, kinds: &[LightKind], near: bool) -> Program {
-    let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION, &RAY];
+    let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
+    // Textures of lights lie on shapes.
+    match target.features.emission_textures {
+        true => modules.extend(shapes(target.features)),
+        false => modules.push(&RAY),
+    }
     modules.extend(light_strata(target, kinds, place(near)));
     modules.extend([&GUIDE_PARAMS, &GUIDE_UNSHADOWED]);
     Program::new("direct light, unshadowed", modules)
@@ -56,7 +62,7 @@ pub fn guide_pilot(target: Target, kinds: &[LightKind], near: bool) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
     modules.extend(rays(target));
     modules.extend(light_strata(target, kinds, place(near)));
-    modules.extend([&GUIDE_PARAMS, &GUIDE_PILOT]);
+    modules.extend([&GUIDE_PARAMS, &CHOOSE_STRATUM, &GUIDE_PILOT]);
     Program::new("direct light, pilot rays", modules)
 }
 

@@ -65,7 +65,7 @@ fn area_lights(target: Target, place: &'static Module) -> Vec<&'static Module> {
 fn environment(target: Target) -> Vec<&'static Module> {
     match target.features.sky {
         Sky::Image => vec![&ENVIRONMENT_IMAGE, &ENVIRONMENT_CELLS, &ENVIRONMENT_LIGHT_IMAGE],
-        _ => vec![&ENVIRONMENT_CONSTANT, &ENVIRONMENT_LIGHT_CONSTANT],
+        _ => vec![&HEMISPHERE, &ENVIRONMENT_CONSTANT, &ENVIRONMENT_LIGHT_CONSTANT],
     }
 }
 

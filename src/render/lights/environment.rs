@@ -54,6 +54,11 @@ impl EnvironmentLight {
         Some(Self { radiance, cells, power: all * PI * f64::from(bounds.radius).powi(2) })
     }
 
+    /// Whether it has one radiance everywhere.
+    pub fn is_even(&self) -> bool {
+        self.cells.is_none()
+    }
+
     /// The words that the device reads: see `shaders/lights/environment_image.wgsl`.
     pub fn words(&self) -> Vec<u32> {
         let mut words: Vec<u32> = self.radiance.to_array().map(f32::to_bits).to_vec();

@@ -1,7 +1,6 @@
 //! Strata of all lights that have some extent: what one choice among lamps, emitting meshes and parts
 //! of the sky is made from.
 
-use super::Lights;
 use super::kind::LightKind;
 use crate::gpu::LightStratumRecord;
 
@@ -11,31 +10,51 @@ const SKY_STRATA: [u32; 2] = [16, 16];
 const LEAST_STRATA: u32 = 8;
 const MOST_STRATA: u32 = 64;
 
-/// Those of lights of the kinds asked for. Of a kind, all have the same probability.
-pub fn strata(lights: &Lights, kinds: &[LightKind]) -> Vec<LightStratumRecord> {
-    kinds.iter().flat_map(|&kind| of_kind(lights, kind)).collect()
+/// The strata, in the order of their table.
+#[derive(Debug, Clone, Default)]
+pub struct LightStrata {
+    /// A record each. Of the strata of a kind, all have the same probability in the square.
+    pub records: Vec<LightStratumRecord>,
+    /// How many of an even sky are the first of all; the last is then the same sky by the cosine at
+    /// the point. 0 where there is no such sky.
+    pub even_sky: u32,
 }
 
-fn of_kind(lights: &Lights, kind: LightKind) -> Vec<LightStratumRecord> {
-    let (code, [across, down]) = match kind {
-        LightKind::Area => (0, [of_lamps(lights.count(kind)), 1]),
-        LightKind::Sphere => (1, [of_lamps(lights.count(kind)), 1]),
-        LightKind::Environment => (2, SKY_STRATA),
-        LightKind::Point | LightKind::Spot | LightKind::Directional => return Vec::new(),
-    };
-    let extent = [1.0 / across as f32, 1.0 / down as f32];
-    // Along a Morton curve, so that those side by side are near each other in the list.
-    let places = (0..across * down).map(|index| match down {
-        1 => [index, 0],
-        _ => morton_place(index),
-    });
-    let stratum = |[x, y]: [u32; 2]| LightStratumRecord {
-        low: [x as f32 * extent[0], y as f32 * extent[1]],
-        extent,
-        kind: code,
-        pad: [0; 3],
-    };
-    places.map(stratum).collect()
+impl LightStrata {
+    /// Those of kinds with their numbers of lights; `even` is whether the environment has one
+    /// radiance.
+    pub fn of(kinds: &[(LightKind, u32)], even: bool) -> Self {
+        let mut strata = Self::default();
+        // The sky is first: what is told of its strata by their place is then of them alone.
+        if kinds.iter().any(|(kind, _)| *kind == LightKind::Environment) {
+            strata.add(2, SKY_STRATA);
+            if even {
+                strata.even_sky = strata.records.len() as u32;
+            }
+        }
+        for (kind, lights) in kinds {
+            match kind {
+                LightKind::Area => strata.add(0, [of_lamps(*lights), 1]),
+                LightKind::Sphere => strata.add(1, [of_lamps(*lights), 1]),
+                _ => {}
+            }
+        }
+        if strata.even_sky > 0 {
+            strata.add(3, [1, 1]);
+        }
+        strata
+    }
+
+    /// A grid of strata of a kind.
+    fn add(&mut self, kind: u32, [across, down]: [u32; 2]) {
+        let extent = [1.0 / across as f32, 1.0 / down as f32];
+        self.records.extend((0..across * down).map(|index| {
+            // Along a Morton curve, so that those side by side are near each other in the list.
+            let [x, y] = if down == 1 { [index, 0] } else { morton_place(index) };
+            let low = [x as f32 * extent[0], y as f32 * extent[1]];
+            LightStratumRecord { low, extent, kind, pad: [0; 3] }
+        }));
+    }
 }
 
 /// A few of each lamp: those that see part of a lamp draw from that part.

@@ -148,7 +148,8 @@ fn mip_levels_keep_the_mean_of_images_of_any_size() {
 /// What is clear does not colour what is not.
 #[test]
 fn mip_levels_of_images_with_holes_weigh_by_alpha() {
-    let leaf = |i: u32| if i % 9 % 4 == 0 { [20, 200, 40, 255] } else { [255, 255, 255, 0] };
+    let leaf =
+        |i: u32| if (i % 9).is_multiple_of(4) { [20, 200, 40, 255] } else { [255, 255, 255, 0] };
     let image = Texels { name: String::new(), size: [9, 9], rgba: (0..81).map(leaf).collect() };
     for [r, g, b, alpha] in image.mips(true) {
         let off = [r, g, b].iter().zip([20, 200, 40]).map(|(a, b)| a.abs_diff(b)).max();
@@ -227,7 +228,7 @@ fn a_checkerboard_becomes_grey_at_the_horizon() {
     let filtered = checkered_floor(Filter::default(), 1);
     // The horizon is in row 17.
     let [before, after] = [&plain, &filtered].map(|image| error(image, &right, 19..48));
-    println!("mean squared error {before:.5} without, {after:.5} with mip levels");
+    eprintln!("mean squared error {before:.5} without, {after:.5} with mip levels");
     assert!(before > 0.05, "{before}: nothing aliases");
     assert!(after < 0.03 * before, "{after}, of {before} without mip levels");
     // Some squares a pixel: grey, with the little that 256 samples leave of them.
@@ -239,7 +240,7 @@ fn a_checkerboard_becomes_grey_at_the_horizon() {
     let [plain, filtered] =
         [WITHOUT_MIPS, Filter::default()].map(|filter| checkered_floor(filter, 4));
     let [before, after] = [&plain, &filtered].map(|image| error(image, &right, 19..48));
-    println!("with four samples {before:.5} and {after:.5}");
+    eprintln!("with four samples {before:.5} and {after:.5}");
     assert!(after < 0.3 * before, "{after} of four samples, of {before} without mip levels");
 }
 
