@@ -76,6 +76,17 @@ impl<'a> Guide<'a> {
         [("guide", &self.table), ("arriving_share", &self.arriving)]
     }
 
+    /// Has samples drawn by the power of lights alone.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn make_plain(&self, strata: &LightStrata) -> Result<(), GpuError> {
+        let row = strata.plain();
+        let rows = self.table.size() as usize / size_of_val(&row[..]);
+        self.prepared.gpu.write(&self.table, &row.repeat(rows))?;
+        self.prepared.gpu.write(&self.arriving, &vec![1f32; rows * row.len()])
+    }
+
     /// Makes the guide of a tile from its visible points: first without any pilot ray, then two
     /// rounds of them, each drawn by what is known before.
     ///

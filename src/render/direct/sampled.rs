@@ -16,8 +16,8 @@ use crate::sampling::{SURFACE_OFFSET, hash};
 /// As `MOST` of `shaders/direct/ray_counts.wgsl`.
 const MOST_TIMES: u32 = 4;
 
-/// So many samples of a pixel are stratified better than a choice among candidates leaves them.
-const STRATIFIED: u32 = 64;
+/// So many samples of a pixel are stratified over all lights better than a guide draws them.
+const MANY_RAYS: u32 = 64;
 
 /// Shadow rays to all lights that have some extent.
 #[derive(Debug)]
@@ -27,6 +27,7 @@ pub struct SampledLight<'a> {
     params: DirectParams,
     most_rays: u32,
     guide: Guide<'a>,
+    is_guided: bool,
     filter: Option<DirectFilter<'a>>,
     stage: Stage,
 }
@@ -50,6 +51,10 @@ impl<'a> SampledLight<'a> {
         let programs = [&unshadowed, &pilot, &guide];
         let guide = Guide::new(setup, &strata, programs, &named)?;
         let rays = settings.light_samples_per_point();
+        let is_guided = rays * settings.samples < MANY_RAYS;
+        if !is_guided {
+            guide.make_plain(&strata)?;
+        }
         let filter = settings.filters_direct();
         let filter =
             filter.then(|| DirectFilter::new(setup, rays, irradiance, &named)).transpose()?;
@@ -58,7 +63,7 @@ impl<'a> SampledLight<'a> {
         let params = DirectParams {
             lights: strata.records.len() as u32,
             rays,
-            candidates: if rays * settings.samples < STRATIFIED { 2 } else { 1 },
+            candidates: candidates(prepared, is_guided),
             samples: settings.samples,
             seed: hash(seed),
             offset: SURFACE_OFFSET,
@@ -72,6 +77,7 @@ impl<'a> SampledLight<'a> {
             prepared,
             params,
             guide,
+            is_guided,
             filter,
         })
     }
@@ -82,7 +88,7 @@ impl<'a> SampledLight<'a> {
     /// The device fails.
     pub fn gather(&self, tile: Tile) -> Result<Duration, GpuError> {
         let mut time = Duration::ZERO;
-        if tile.sample == 0 {
+        if self.is_guided && tile.sample == 0 {
             time += self.guide.make(tile)?;
         }
         if let Some(filter) = &self.filter {
@@ -115,4 +121,16 @@ pub fn rays_of_dispatch(
         sample: tile.sample,
         ..params
     })
+}
+
+/// Of how many places on the lights each ray chooses one. Among many lamps the pixels of a block are
+/// near to different ones, which neither guide nor power tell apart.
+fn candidates(prepared: &Prepared, is_guided: bool) -> u32 {
+    const FEW_LIGHTS: u32 = 16;
+    let lamps = [LightKind::Area, LightKind::Sphere].map(|kind| prepared.lights.count(kind));
+    match lamps.iter().sum::<u32>() {
+        FEW_LIGHTS.. => 8,
+        _ if is_guided => 2,
+        _ => 1,
+    }
 }

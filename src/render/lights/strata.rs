@@ -4,6 +4,11 @@
 use super::kind::LightKind;
 use crate::gpu::LightStratumRecord;
 
+/// The kinds of strata, as in `shaders/lights/strata.wgsl`; the last is an even sky by the cosine.
+const AREA: u32 = 0;
+const SPHERE: u32 = 1;
+const SKY: u32 = 2;
+const HEMISPHERE: u32 = 3;
 /// Strata of the environment, across and down: powers of two.
 const SKY_STRATA: [u32; 2] = [16, 16];
 /// Strata of the emitting triangles, or of the spheres, at least and at most: powers of two.
@@ -27,22 +32,41 @@ impl LightStrata {
         let mut strata = Self::default();
         // The sky is first: what is told of its strata by their place is then of them alone.
         if kinds.iter().any(|(kind, _)| *kind == LightKind::Environment) {
-            strata.add(2, SKY_STRATA);
+            strata.add(SKY, SKY_STRATA);
             if even {
                 strata.even_sky = strata.records.len() as u32;
             }
         }
         for (kind, lights) in kinds {
             match kind {
-                LightKind::Area => strata.add(0, [of_lamps(*lights), 1]),
-                LightKind::Sphere => strata.add(1, [of_lamps(*lights), 1]),
+                LightKind::Area => strata.add(AREA, [of_lamps(*lights), 1]),
+                LightKind::Sphere => strata.add(SPHERE, [of_lamps(*lights), 1]),
                 _ => {}
             }
         }
         if strata.even_sky > 0 {
-            strata.add(3, [1, 1]);
+            strata.add(HEMISPHERE, [1, 1]);
         }
         strata
+    }
+
+    /// Of each stratum, its probability and all before it, if the kinds have the same, and the lights of
+    /// a kind are drawn by their power: an even sky by the cosine alone.
+    pub fn plain(&self) -> Vec<f32> {
+        let drawn = |index: usize| {
+            let kind = self.records[index].kind;
+            if self.even_sky > 0 && kind == SKY { None } else { Some(kind) }
+        };
+        let count = |kind: u32| (0..self.records.len()).filter(|&i| drawn(i) == Some(kind)).count();
+        let counts = [AREA, SPHERE, SKY, HEMISPHERE].map(count);
+        let kinds = counts.iter().filter(|&&count| count > 0).count() as f64;
+        let mut before = 0.0;
+        let with = |index: usize| {
+            let own = drawn(index).map_or(0.0, |kind| 1.0 / (kinds * counts[kind as usize] as f64));
+            before += own;
+            before as f32
+        };
+        (0..self.records.len()).map(with).collect()
     }
 
     /// A grid of strata of a kind.
