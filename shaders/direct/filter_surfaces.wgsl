@@ -1,22 +1,5 @@
-// Parameters of the filter of direct light, and the surfaces that the pixels of a tile see.
+// The surfaces that the pixels of a tile see.
 
-struct FilterParams {
-    // Of the tile, in pixels.
-    width: u32,
-    height: u32,
-    // Pixels between taps.
-    step: u32,
-    // 1 for the last level, which writes in the order of points.
-    last: u32,
-    // By which the variance of a difference is multiplied for one that counts 1/e.
-    tolerance: f32,
-    // Light samples of a point that has many like neighbours.
-    rays: u32,
-    pad0: u32,
-    pad1: u32,
-}
-
-@group(0) @binding(0) var<storage, read> params: FilterParams;
 // In the order of pixels: where they are, and the code of surface_plain.wgsl or surface_lobed.wgsl.
 @group(0) @binding(17) var<storage, read> surfaces: array<vec4u>;
 

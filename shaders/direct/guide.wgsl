@@ -1,6 +1,13 @@
 // The guide from what the pilot rays found: the probabilities of the strata of the lights in a block
 // of pixels, by what they give and how much of it arrives, there and in the blocks around.
 
+// Of each block and stratum of the lights, its probability and all before it.
+@group(0) @binding(84) var<storage, read_write> guide: array<f32>;
+// Of each block and stratum of the lights, what it gives unshadowed.
+@group(0) @binding(86) var<storage, read_write> unshadowed: array<f32>;
+// The share of that which is thought to arrive, or what samples are drawn by for it.
+@group(0) @binding(87) var<storage, read_write> arriving_share: array<f32>;
+
 // Of the samples, how many are drawn by what would arrive if nothing were in the way, and how many go
 // to all strata alike: where the pilot rays are wrong, they bound the weights of samples.
 const UNSHADOWED = 0.1;

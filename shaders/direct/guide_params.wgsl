@@ -23,14 +23,8 @@ struct GuideParams {
 }
 
 @group(0) @binding(0) var<storage, read> params: GuideParams;
-@group(0) @binding(4) var<storage, read> points: array<Point>;
-// Of each block and stratum of the lights: what it gives unshadowed; the share of it that is thought
-// to arrive; its probability and all before it.
-@group(0) @binding(84) var<storage, read_write> guide: array<f32>;
-// How many pilot rays went to it from the points of the block, and in the upper half of the bits how
-// many of them arrived.
+// Of each block and stratum of the lights, how many pilot rays went to it from the points of the block,
+// and in the upper half of the bits how many of them arrived.
 @group(0) @binding(85) var<storage, read_write> pilots: array<u32>;
-@group(0) @binding(86) var<storage, read_write> unshadowed: array<f32>;
-@group(0) @binding(87) var<storage, read_write> arriving_share: array<f32>;
 
 const MOST_STRATA = 448u;

@@ -1,6 +1,10 @@
 // A pilot ray of each pixel, which tells the guide what is in the way. Pilot rays count for nothing
 // else: samples that are drawn by what they found stay unbiased.
 
+@group(0) @binding(4) var<storage, read> points: array<Point>;
+// Of each block and stratum of the lights, its probability and all before it.
+@group(0) @binding(84) var<storage, read_write> guide: array<f32>;
+
 // One for each stratum; in the upper half of the bits those that arrived.
 var<workgroup> counts: array<atomic<u32>, MOST_STRATA>;
 

@@ -1,5 +1,9 @@
 // What the strata of the lights give unshadowed to a block of pixels.
 
+@group(0) @binding(4) var<storage, read> points: array<Point>;
+// Of each block and stratum of the lights, what it gives unshadowed.
+@group(0) @binding(86) var<storage, read_write> unshadowed: array<f32>;
+
 // Points of a block that are asked.
 const ASKED = 4u;
 // Others may face elsewhere: a cosine counts as this at least, in blocks of one orientation and in

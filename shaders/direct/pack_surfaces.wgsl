@@ -1,11 +1,5 @@
 // The surfaces of the visible points in the order of pixels.
 
-struct PackParams {
-    width: u32,
-    height: u32,
-}
-
-@group(0) @binding(0) var<storage, read> params: PackParams;
 @group(0) @binding(17) var<storage, read_write> surfaces: array<vec4u>;
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 

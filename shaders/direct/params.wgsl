@@ -15,6 +15,11 @@ struct DirectParams {
     rays: u32,
     // Places that each ray chooses from.
     candidates: u32,
+    // Parts of the rays that are stratified by themselves.
+    halves: u32,
+    pad0: u32,
+    pad1: u32,
+    pad2: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: DirectParams;

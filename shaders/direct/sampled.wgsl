@@ -54,14 +54,14 @@ fn main(
     let stream = hash(hash(params.first_block * 64u + id.x) + params.seed);
     let row = index / 64u * params.lights;
     let rays = rays_of(index);
-    let halves = min(rays, 2u);
+    let halves = min(rays, params.halves);
     var sum = Gathered();
     for (var ray = params.first; ray < params.first + params.count; ray++) {
         let wanted = is && ray < rays;
         if !some_ray(wanted) { break; }
         // Each half is stratified by itself, over all samples of the pixel.
         let half = ray % halves;
-        let own = (rays + 1u - half) / halves;
+        let own = (rays + halves - 1u - half) / halves;
         let all = own * params.samples;
         let place = ray / halves * params.samples + params.sample;
         let drawn = draw_light(point, row, place, all, hash(stream + half));

@@ -1,5 +1,5 @@
-// A light of one kind.
+// Lights of one kind.
 
-fn sample_light(point: Point, at: vec2f, offset: f32) -> LightSample {
+fn sample_light(kind: u32, point: Point, at: vec2f, offset: f32) -> LightSample {
     return sample_area_light(point, at, offset);
 }

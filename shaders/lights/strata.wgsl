@@ -13,21 +13,11 @@ struct LightStratum {
 
 @group(0) @binding(83) var<storage, read> light_strata: array<LightStratum>;
 
-const AREA_LIGHT = 0u;
-const SPHERE_LIGHT = 1u;
-
 // A place in a stratum, uniform there by the measure of its kind.
 fn sample_stratum(index: u32, point: Point, u: vec2f, offset: f32) -> LightSample {
     let stratum = light_strata[index];
     let at = stratum.low + stratum.extent * u;
-    var light: LightSample;
-    if stratum.kind == AREA_LIGHT {
-        light = sample_area_light(point, at, offset);
-    } else if stratum.kind == SPHERE_LIGHT {
-        light = sample_sphere_light(point, at, offset);
-    } else {
-        light = sample_environment_light(stratum.kind, point, at, offset);
-    }
+    var light = sample_light(stratum.kind, point, at, offset);
     light.density /= stratum.extent.x * stratum.extent.y;
     return light;
 }

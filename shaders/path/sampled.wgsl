@@ -9,7 +9,7 @@ fn main(
     let slot = queue[min(id.x, params.paths - 1u)];
     let u = path_random(slot, paths[slot].stream, LIGHT_DIMENSIONS);
     let point = points[slot];
-    let light = sample_light(point, u, params.offset);
+    let light = sample_light(0u, point, u, params.offset);
     // The next segment could have gone there, with the density of its direction.
     let density = scatter_density(point, albedo_of(slot, point), normalize(light.toward));
     let weight = mis_weight(light.density, light.geometry * density);

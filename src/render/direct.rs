@@ -38,7 +38,8 @@ impl<'a> DirectLight<'a> {
         let Some(irradiance) = irradiance else { return Ok(Self { exact: vec![], sampled: None }) };
         let mut named = tile.named_by_point(prepared);
         named.push(irradiance.named());
-        let kinds = prepared.kinds_with_tables().filter(|&kind| is_per_pixel(settings, kind));
+        // Whatever is linked, rays go to lights that are there.
+        let kinds = prepared.lights.kinds().filter(|&kind| is_per_pixel(settings, kind));
         let (exact, sampled): (Vec<_>, Vec<_>) = kinds.partition(|kind| kind.is_exact());
         let exact = exact.into_iter().map(|kind| ExactLight::new(setup, kind, &named));
         Ok(Self {

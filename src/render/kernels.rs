@@ -56,7 +56,9 @@ pub fn all_programs() -> Vec<Program> {
         programs.extend(exact.into_iter().map(|kind| direct_exact(target, kind)));
         programs.extend([pack_surfaces(target), ray_counts(target)]);
         programs.extend([filter_guide(target), filter_level(target)]);
-        for kinds in extended.iter().map(std::slice::from_ref).chain([&extended[..]]) {
+        // One kind, several side by side, and all.
+        let some = (1..=extended.len()).flat_map(|count| extended.windows(count));
+        for kinds in some {
             for near in [false, true] {
                 let counted = [false, true].into_iter();
                 programs.extend(counted.map(|is| direct_sampled(target, kinds, near, is)));

@@ -141,10 +141,15 @@ impl Lights {
         if power > 0.0 { (4.0 * PI * PI / power) as f32 } else { 0.0 }
     }
 
-    /// The strata of the lights of these kinds, of those that have some extent.
-    pub fn strata(&self, kinds: &[LightKind]) -> LightStrata {
+    /// The strata of the lights of these kinds, which have some extent: many to be guided by, or one a
+    /// kind.
+    pub fn strata(&self, kinds: &[LightKind], guided: bool) -> LightStrata {
+        let even = self.environment.as_ref().is_some_and(EnvironmentLight::is_even);
+        if !guided {
+            return LightStrata::plain(kinds, even);
+        }
         let counts: Vec<_> = kinds.iter().map(|&kind| (kind, self.count(kind))).collect();
-        LightStrata::of(&counts, self.environment.as_ref().is_some_and(EnvironmentLight::is_even))
+        LightStrata::of(&counts, even)
     }
 
     /// Whether any surface emits.

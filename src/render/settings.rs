@@ -287,14 +287,19 @@ impl Settings {
         self.light_samples.unwrap_or(256)
     }
 
+    /// Whether light samples are few, so that they are guided, and combined over pixels. Many are
+    /// stratified over all lights better than a guide draws them, and leave little noise.
+    pub fn few_light_samples(&self) -> bool {
+        const MANY: u32 = 64;
+        self.light_samples_per_point().saturating_mul(self.samples) < MANY
+    }
+
     /// Whether light samples are combined over pixels. Not where a pixel has so many visible points
-    /// that each takes one: there is nothing to tell its noise by, and little noise.
+    /// that each takes one: there is nothing to tell its noise by.
     pub fn filters_direct(&self) -> bool {
         let samples = self.method.is_lit() && self.method != Method::Path;
-        samples
-            && self.direct != Direct::Off
-            && self.direct_filter
-            && self.light_samples_per_point() > 1
+        let lit = samples && self.direct != Direct::Off;
+        lit && self.direct_filter && self.few_light_samples() && self.light_samples_per_point() > 1
     }
 
     /// Whether visible points take numbers of light samples of their own.

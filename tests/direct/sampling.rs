@@ -81,7 +81,8 @@ fn guided_samples_are_right_in_the_mean() {
         }
         squared_error(&image, &reference, all)
     };
-    let (one, all) = (average(1), average(48));
+    let errors = frames.iter().map(|image| squared_error(image, &reference, all));
+    let (one, all) = (errors.sum::<f64>() / frames.len() as f64, average(frames.len()));
     assert!(all < 2.0 * one / 48.0, "{one} falls to {all}");
 }
 
@@ -111,14 +112,14 @@ fn combining_takes_noise_and_leaves_edges() {
     assert!(at_edges[1] < at_edges[0], "{at_edges:?}");
 }
 
-/// The less noise there is, the less is combined: of many samples, too, the light is no worse.
+/// Of many samples, which leave little noise, nothing is combined, and the light is no worse.
 #[test]
-fn combining_ends_with_the_noise() {
+fn combining_leaves_many_samples_alone() {
     let prepared = Prepared::new(gpu().clone(), room(), &settings()).unwrap();
     let off = Settings { light_samples: Some(256), direct_filter: false, ..settings() };
     let reference = render(&prepared, &Settings { light_samples: Some(8192), ..off }, 1000);
     let on = Settings { direct_filter: true, ..off };
     let [off, on] = [off, on]
         .map(|settings| squared_error(&render(&prepared, &settings, 1), &reference, |_| true));
-    assert!(on < off, "{on}, and without {off}");
+    assert!(on <= off, "{on}, and without {off}");
 }

@@ -111,7 +111,7 @@ fn records() -> Vec<Record> {
         }),
         record!(DirectParams as "DirectParams" {
             points, lights, first, count, seed, first_block, offset, nodes, sample, samples, rays,
-            candidates,
+            candidates, halves, pad,
         }),
         record!(FilterParams as "FilterParams" {
             width, height, step, last, tolerance, rays, pad,
@@ -194,7 +194,7 @@ fn all_modules() -> Vec<naga::Module> {
 #[test]
 fn host_records_are_laid_out_as_naga_does() {
     let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
-    assert_eq!(compared.len(), 25, "{compared:?}");
+    assert_eq!(compared.len(), 28, "{compared:?}");
 }
 
 #[test]

@@ -68,6 +68,10 @@ pub struct DirectParams {
     pub rays: u32,
     /// Places on the lights that each ray chooses from.
     pub candidates: u32,
+    /// Parts of the light samples that are stratified by themselves, 1 or 2.
+    pub halves: u32,
+    /// Unused.
+    pub pad: [u32; 3],
 }
 
 /// Parameters of the filter of direct light.

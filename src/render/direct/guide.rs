@@ -76,12 +76,13 @@ impl<'a> Guide<'a> {
         [("guide", &self.table), ("arriving_share", &self.arriving)]
     }
 
-    /// Has samples drawn by the power of lights alone.
+    /// Has samples drawn from all strata alike.
     ///
     /// # Errors
     /// The device fails.
-    pub fn make_plain(&self, strata: &LightStrata) -> Result<(), GpuError> {
-        let row = strata.plain();
+    pub fn make_even(&self) -> Result<(), GpuError> {
+        let strata = self.params.strata;
+        let row: Vec<f32> = (1..=strata).map(|i| i as f32 / strata as f32).collect();
         let rows = self.table.size() as usize / size_of_val(&row[..]);
         self.prepared.gpu.write(&self.table, &row.repeat(rows))?;
         self.prepared.gpu.write(&self.arriving, &vec![1f32; rows * row.len()])

@@ -16,9 +16,6 @@ use crate::sampling::{SURFACE_OFFSET, hash};
 /// As `MOST` of `shaders/direct/ray_counts.wgsl`.
 const MOST_TIMES: u32 = 4;
 
-/// So many samples of a pixel are stratified over all lights better than a guide draws them.
-const MANY_RAYS: u32 = 64;
-
 /// Shadow rays to all lights that have some extent.
 #[derive(Debug)]
 pub struct SampledLight<'a> {
@@ -44,16 +41,16 @@ impl<'a> SampledLight<'a> {
         named: &[Named<'_>],
     ) -> Result<Self, GpuError> {
         let FrameSetup { prepared, settings, seed, .. } = *setup;
-        let strata = prepared.lights.strata(kinds);
+        let is_guided = settings.few_light_samples();
+        let strata = prepared.lights.strata(kinds, is_guided);
         let table = prepared.gpu.storage_of("strata of the lights", &strata.records)?;
         let named = [&[("light_strata", &table)], named].concat();
         let [unshadowed, pilot, guide, samples] = prepared.direct_sampled_programs(kinds, settings);
         let programs = [&unshadowed, &pilot, &guide];
         let guide = Guide::new(setup, &strata, programs, &named)?;
         let rays = settings.light_samples_per_point();
-        let is_guided = rays * settings.samples < MANY_RAYS;
         if !is_guided {
-            guide.make_plain(&strata)?;
+            guide.make_even()?;
         }
         let filter = settings.filters_direct();
         let filter =
@@ -64,6 +61,8 @@ impl<'a> SampledLight<'a> {
             lights: strata.records.len() as u32,
             rays,
             candidates: candidates(prepared, is_guided),
+            // The difference of two halves is what the filter takes the noise for.
+            halves: if filter.is_some() { 2 } else { 1 },
             samples: settings.samples,
             seed: hash(seed),
             offset: SURFACE_OFFSET,

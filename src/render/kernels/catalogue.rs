@@ -121,6 +121,7 @@ modules! {
     ONLY_AREA = "lights/only_area";
     ONLY_SPHERE = "lights/only_sphere";
     ONLY_ENVIRONMENT = "lights/only_environment";
+    SEVERAL_KINDS = "lights/several_kinds";
     LIGHT_STRATA = "lights/strata";
     CHOOSE_STRATUM = "direct/choose_stratum" for "guided light samples";
     GUIDE_PARAMS = "direct/guide_params" for "guided light samples";
@@ -128,6 +129,7 @@ modules! {
     GUIDE_PILOT = "direct/guide_pilot" for "guided light samples";
     GUIDE = "direct/guide" for "guided light samples";
     PACK_SURFACES = "direct/pack_surfaces" for "filter of direct light";
+    FILTER_PARAMS = "direct/filter_params" for "filter of direct light";
     FILTER_SURFACES = "direct/filter_surfaces" for "filter of direct light";
     RAY_COUNTS = "direct/ray_counts" for "filter of direct light";
     FILTER_GUIDE = "direct/filter_guide" for "filter of direct light";

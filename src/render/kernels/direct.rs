@@ -2,14 +2,14 @@
 
 use super::catalogue::{
     CHOOSE_STRATUM, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, FILTER_GUIDE, FILTER_LEVEL,
-    FILTER_SURFACES, GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, ONE_SURFACE,
-    PACK_SURFACES, PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING, TRIANGLE_AREA,
-    TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
+    FILTER_PARAMS, FILTER_SURFACES, GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED,
+    ONE_SURFACE, PACK_SURFACES, PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING,
+    TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
 };
 use super::gather::{surface, surface_code};
 use super::lights::{light_strata, lights_of};
 use super::materials::{gathered, lobes};
-use super::trace::{rays, shapes};
+use super::trace::{rays, shape};
 use crate::gpu::{Module, Program};
 use crate::render::features::Target;
 use crate::render::lights::LightKind;
@@ -47,10 +47,10 @@ pub fn direct_sampled(target: Target, kinds: &[LightKind], near: bool, counted: 
 /// What the strata of the lights give unshadowed to blocks of pixels.
 pub fn guide_unshadowed(target: Target, kinds: &[LightKind], near: bool) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
-    // Textures of lights lie on shapes.
-    match target.features.emission_textures {
-        true => modules.extend(shapes(target.features)),
-        false => modules.push(&RAY),
+    modules.push(&RAY);
+    if target.features.emission_textures {
+        // Textures of lights lie on shapes.
+        modules.push(shape(target.features));
     }
     modules.extend(light_strata(target, kinds, place(near)));
     modules.extend([&GUIDE_PARAMS, &GUIDE_UNSHADOWED]);
@@ -68,14 +68,14 @@ pub fn guide_pilot(target: Target, kinds: &[LightKind], near: bool) -> Program {
 
 /// The probabilities of strata by what pilot rays found.
 pub fn guide() -> Program {
-    Program::new("direct light, guide", vec![&TYPES, &GUIDE_PARAMS, &GUIDE])
+    Program::new("direct light, guide", vec![&GUIDE_PARAMS, &GUIDE])
 }
 
 /// The surfaces of visible points in the order of pixels.
 pub fn pack_surfaces(target: Target) -> Program {
     let mut modules = vec![&TYPES, &PIXELS];
     modules.extend(surface_code(target));
-    modules.push(&PACK_SURFACES);
+    modules.extend([&FILTER_PARAMS, &PACK_SURFACES]);
     Program::new("direct light, surfaces", modules)
 }
 
@@ -99,7 +99,7 @@ pub fn filter_level(target: Target) -> Program {
 
 /// What all that looks at the pixels around one shares.
 fn filtered(target: Target) -> Vec<&'static Module> {
-    vec![&TYPES, &PIXELS, &ONE_SURFACE, surface(target), &FILTER_SURFACES]
+    vec![&TYPES, &PIXELS, &ONE_SURFACE, surface(target), &FILTER_PARAMS, &FILTER_SURFACES]
 }
 
 fn place(near: bool) -> &'static Module {

@@ -4,7 +4,8 @@ use super::catalogue::{
     AREA_LIGHT, AREA_LIGHT_NONE, DIRECTIONAL_LIGHT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT,
     ENVIRONMENT_IMAGE, ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, ENVIRONMENT_LIGHT_NONE,
     HEMISPHERE, LIGHT_SAMPLE, LIGHT_STRATA, LOCAL_LIGHT, ONLY_AREA, ONLY_ENVIRONMENT, ONLY_SPHERE,
-    POINT_LIGHT, SPHERE_CONE, SPHERE_LIGHT, SPHERE_LIGHT_NONE, SPOT_LIGHT, TRIANGLE_AREA,
+    POINT_LIGHT, SEVERAL_KINDS, SPHERE_CONE, SPHERE_LIGHT, SPHERE_LIGHT_NONE, SPOT_LIGHT,
+    TRIANGLE_AREA,
 };
 use super::materials::light_emission_scale;
 use crate::gpu::Module;
@@ -34,6 +35,16 @@ pub fn light_strata(
     kinds: &[LightKind],
     place: &'static Module,
 ) -> Vec<&'static Module> {
+    if let [kind] = kinds {
+        let mut modules = match kind {
+            LightKind::Area => {
+                [&[&LIGHT_SAMPLE][..], &area_lights(target, place), &[&ONLY_AREA]].concat()
+            }
+            kind => lights_of(target, *kind),
+        };
+        modules.push(&LIGHT_STRATA);
+        return modules;
+    }
     let has = |kind| kinds.contains(&kind);
     let mut modules: Vec<&Module> = vec![&LIGHT_SAMPLE];
     match has(LightKind::Area) {
@@ -48,6 +59,7 @@ pub fn light_strata(
         true => modules.extend(environment(target)),
         false => modules.push(&ENVIRONMENT_LIGHT_NONE),
     }
+    modules.push(&SEVERAL_KINDS);
     modules.push(&LIGHT_STRATA);
     modules
 }

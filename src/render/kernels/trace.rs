@@ -8,10 +8,15 @@ use super::catalogue::{
 use crate::gpu::Module;
 use crate::render::features::{Features, Target};
 
+/// The shapes that there are.
+pub fn shape(features: Features) -> &'static Module {
+    if features.spheres { &SHAPE_ANY } else { &SHAPE_TRIANGLE }
+}
+
 /// Rays, and the shapes that they meet.
 pub fn shapes(features: Features) -> Vec<&'static Module> {
     let mut modules: Vec<&Module> = vec![&RAY];
-    modules.push(if features.spheres { &SHAPE_ANY } else { &SHAPE_TRIANGLE });
+    modules.push(shape(features));
     match features.cutouts {
         true => modules.extend(textures(features).into_iter().chain([&OPAQUE_CUTOUT])),
         false => modules.push(&OPAQUE_ALL),

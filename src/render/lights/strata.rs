@@ -50,23 +50,20 @@ impl LightStrata {
         strata
     }
 
-    /// Of each stratum, its probability and all before it, if the kinds have the same, and the lights of
-    /// a kind are drawn by their power: an even sky by the cosine alone.
-    pub fn plain(&self) -> Vec<f32> {
-        let drawn = |index: usize| {
-            let kind = self.records[index].kind;
-            if self.even_sky > 0 && kind == SKY { None } else { Some(kind) }
-        };
-        let count = |kind: u32| (0..self.records.len()).filter(|&i| drawn(i) == Some(kind)).count();
-        let counts = [AREA, SPHERE, SKY, HEMISPHERE].map(count);
-        let kinds = counts.iter().filter(|&&count| count > 0).count() as f64;
-        let mut before = 0.0;
-        let with = |index: usize| {
-            let own = drawn(index).map_or(0.0, |kind| 1.0 / (kinds * counts[kind as usize] as f64));
-            before += own;
-            before as f32
-        };
-        (0..self.records.len()).map(with).collect()
+    /// A stratum for each kind, of which all have the same probability: lights of a kind are drawn by
+    /// their power, an even sky by the cosine.
+    pub fn plain(kinds: &[LightKind], even: bool) -> Self {
+        let mut strata = Self::default();
+        for kind in kinds {
+            let code = match kind {
+                LightKind::Area => AREA,
+                LightKind::Sphere => SPHERE,
+                _ if even => HEMISPHERE,
+                _ => SKY,
+            };
+            strata.add(code, [1, 1]);
+        }
+        strata
     }
 
     /// A grid of strata of a kind.
