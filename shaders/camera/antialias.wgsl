@@ -1,28 +1,92 @@
-// Antialiasing of edges. Where the pixels around see one surface, a pixel has the radiance of
-// its visible point. Elsewhere more camera rays find what is seen in the pixel, and each takes
-// the radiance of the nearest visible point around on the same surface: light varies slowly
-// along a surface, so that coverage alone needs the rays.
+// Radiance of pixels from camera rays: each takes the light of a visible point on its surface, as
+// light varies slowly along a surface, so that coverage alone needs the rays; emission and
+// background are its own. Where surfaces of unlike radiance meet, more rays follow the first ones.
+// The first rays of the pixels around tell where that is, and not the pixel's own: a mean over more
+// samples where the first ones differ, and those among them, is biased (Kirk and Arvo, "Unbiased
+// Sampling Techniques for Image Synthesis", 1991).
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
+// In w, how many samples of the pixel hit something.
 @group(0) @binding(8) var<storage, read_write> film: array<vec4f>;
 @group(0) @binding(20) var<storage, read> radiance: array<vec4f>;
+@group(0) @binding(90) var<storage, read> ray_emission: array<vec4u>;
+@group(0) @binding(91) var<storage, read> ray_highlights: array<vec4f>;
 
-// More than any squared distance in normalised units, and little more: what is added is not lost.
-const FARTHEST = 16.0;
+// Most rays of a pixel in one dispatch, a beam of four each.
+const MOST_BEAMS = 8u;
+// How far the radiances of an edge are apart, over their mean, to be worth more rays.
+const CONTRAST = 0.25;
 
-fn alike(p: Point, q: Point) -> bool {
-    let same = one_surface(p.normal, q.normal, q.position - p.position);
-    return p.surface == q.surface && (same || p.surface == NOTHING);
+var<workgroup> edge_bits: array<atomic<u32>, 2>;
+var<workgroup> edge_points: array<u32, 64>;
+var<workgroup> beam_sums: array<vec3f, 512>;
+
+// The light that a visible point reflects into a ray.
+fn light_by_code(pixel: vec2u, own: u32, code: u32) -> vec3f {
+    let light = radiance[around(pixel, own, min(code & 15u, 8u))].rgb;
+    return select(light, vec3f(0.0), code == NO_LIGHT);
 }
 
-// The point of the i-th of the 3 x 3 pixels around one; itself where there is none.
-fn around(pixel: vec2u, own: u32, i: u32) -> u32 {
-    let other = vec2i(pixel) + vec2i(i32(i % 3u), i32(i / 3u)) - 1;
-    let first = i32(params.first_block / ((params.width + 7u) / 8u)) * 8;
-    let index = point_of(vec2u(other - vec2i(0, first)), params.width);
-    let is = other.x >= 0 && other.x < i32(params.width) && other.y >= first
-        && other.y < i32(params.height) && index < params.blocks * 64u;
-    return select(own, index, is);
+// Whether surfaces of unlike radiance meet around a pixel: by the rays of those quadrants of the
+// pixels around it that touch it.
+fn is_edge(pixel: vec2u, own: u32) -> bool {
+    let rays = first_rays();
+    var reference: Point;
+    var count = 0.0;
+    var differ = false;
+    var low = vec3f(HUGE);
+    var high = vec3f(0.0);
+    var sum = vec3f(0.0);
+    // The quadrants of 2 x 2 pixels in their rows, those in the middle being the pixel itself.
+    for (var i = 0u; i < 16u; i++) {
+        let cell = vec2u(i % 4u, i / 4u) + 1u;
+        let way = vec2i(cell / 2u) - 1;
+        let other = vec2i(pixel) + way;
+        if all(way == vec2i(0)) || !in_tile(other) { continue; }
+        let index = point_at(other);
+        let ray = ((cell.x & 1u) + 2u * (cell.y & 1u)) % rays;
+        let code = code_of(ray_emission[index].w, ray);
+        var seen = points[around(vec2u(other), index, min(code & 15u, 8u))];
+        if code == NO_LIGHT { seen.surface = NOTHING; }
+        let light = light_by_code(vec2u(other), index, code) * ray_throughput(index, ray)
+            + ray_highlights[index][ray];
+        if count == 0.0 { reference = seen; }
+        differ = differ || (code & UNLIKE) != 0u || !alike(reference, seen)
+            || stored_throughput(index).w > 0.0;
+        low = min(low, light);
+        high = max(high, light);
+        sum += light;
+        count += 1.0;
+    }
+    let apart = max(high.x - low.x, max(high.y - low.y, high.z - low.z));
+    return differ && apart * count > CONTRAST * dot(sum, vec3f(1.0 / 3.0));
+}
+
+// The sum of what the four rays of a beam see, those of them that are wanted.
+fn beam_sum(own: u32, first: u32, end: u32, invocation: u32) -> vec3f {
+    let pixel = pixel_of(own, params.first_block, params.width);
+    let point = points[own];
+    let stream = camera_stream(pixel);
+    var directions: array<vec3f, 4>;
+    var limits = vec4f(0.0);
+    for (var i = 0u; i < 4u; i++) {
+        let number = (first + i) * params.samples + params.sample;
+        directions[i] = camera_direction(pixel, scrambled(number, stream));
+        limits[i] = select(0.0, HUGE, first + i < end);
+    }
+    var hits = traverse_beam(params.position, directions, limits, params.nodes, invocation);
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < 4u; i++) {
+        let number = (first + i) * params.samples + params.sample;
+        let chain = specular_chain_from(
+            hits[i], directions[i], limits[i], params.nodes, params.offset, number, stream, invocation,
+        );
+        let seen = hit_point(chain.hit, chain.direction);
+        let light = light_by_code(pixel, own, nearest_around(pixel, own, point, seen))
+            + seen_without_light(chain.hit, seen);
+        sum += select(vec3f(0.0), light * throughput_of(chain), limits[i] > 0.0);
+    }
+    return sum;
 }
 
 // No invocation returns early: a subgroup may trace its rays together.
@@ -33,41 +97,45 @@ fn main(
 ) {
     let own = min(id.x, params.blocks * 64u - 1u);
     let pixel = pixel_of(own, params.first_block, params.width);
-    let point = points[own];
     let is = id.x == own && pixel.x < params.width && pixel.y < params.height;
-    var edge = false;
-    let own_throughput = stored_throughput(own);
-    if own_throughput.w > 0.0 { edge = true; }
-    for (var i = 0u; i < 9u; i++) { edge = edge || !alike(point, points[around(pixel, own, i)]); }
+    let first = first_rays();
+    let edge = is && params.rays > 0u && is_edge(pixel, own);
+    if edge { atomicOr(&edge_bits[invocation / 32u], 1u << (invocation % 32u)); }
+    workgroupBarrier();
+    let bits = vec2u(atomicLoad(&edge_bits[0]), atomicLoad(&edge_bits[1]));
+    // How many edges come before, and all of them.
+    let before = countOneBits(bits.x & ((1u << min(invocation, 31u)) - 1u));
+    let later = countOneBits(bits.x) + countOneBits(bits.y & ((1u << (invocation % 32u)) - 1u));
+    let rank = select(before, later, invocation >= 32u);
+    if edge { edge_points[rank] = own; }
+    workgroupBarrier();
+
+    // The beams of all edges, one after the other: a subgroup has no idle lanes but the last.
+    let beams = min((params.rays + 3u) / 4u, MOST_BEAMS);
+    let all = (countOneBits(bits.x) + countOneBits(bits.y)) * beams;
+    let end = params.first_ray + params.rays;
+    for (var start = 0u; start < all; start += 64u) {
+        let beam = min(start + invocation, all - 1u);
+        let ray = params.first_ray + 4u * (beam % beams);
+        let last = select(0u, end, start + invocation < all);
+        let sum = beam_sum(edge_points[beam / beams], ray, last, invocation);
+        if start + invocation < all { beam_sums[beam] = sum; }
+    }
+    workgroupBarrier();
 
     var sum = vec3f(0.0);
-    let all = params.edge_rays * params.samples;
-    let stream = hash(camera_stream(pixel));
-    let limit = select(0.0, HUGE, is && edge);
-    let rays = select(0u, params.rays, some_ray(is && edge));
-    for (var ray = params.first_ray; ray < params.first_ray + rays; ray++) {
-        let index = ray * params.samples + params.sample;
-        let direction = camera_direction(pixel, stratified(index, 1.0 / f32(all), stream));
-        let chain = trace_specular_chain(
-            params.position, direction, limit, params.nodes, params.offset, index, stream,
-            invocation,
-        );
-        let seen = hit_point(chain.hit, chain.direction);
-        // The nearest on the same surface; if there is none, the nearest of all.
-        var best = own;
-        var least = HUGE;
-        for (var i = 0u; i < 9u; i++) {
-            let index = around(pixel, own, i);
-            let other = points[index];
-            let way = other.position - seen.position;
-            let far = select(FARTHEST, 0.0, alike(seen, other));
-            let distance = far + dot(way, way);
-            best = select(best, index, distance < least);
-            least = min(least, distance);
-        }
-        sum += seen_by_ray(seen, radiance[best].rgb) * throughput_of(chain);
+    for (var beam = 0u; beam < beams; beam++) {
+        if edge { sum += beam_sums[rank * beams + beam]; }
     }
-    let share = f32(params.rays) / f32(params.edge_rays);
-    let result = select(radiance[own].rgb * own_throughput.rgb * share, sum / f32(params.edge_rays), edge);
-    if is { film[own] += vec4f(result, 0.0); }
+    // The first rays count once, whatever number of dispatches there is.
+    if params.first_ray == first {
+        let stored = ray_emission[own];
+        sum += bitcast<vec3f>(stored.xyz);
+        for (var ray = 0u; ray < first; ray++) {
+            sum += light_by_code(pixel, own, code_of(stored.w, ray)) * ray_throughput(own, ray);
+        }
+    }
+    let rays = select(first, params.edge_rays, edge);
+    let hit = select(0.0, 1.0, params.first_ray == first && points[own].surface != NOTHING);
+    if is { film[own] += vec4f(sum / f32(rays), hit); }
 }

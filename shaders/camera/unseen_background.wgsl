@@ -1,5 +1,6 @@
 // A ray that hits nothing sees the environment.
 
-fn seen_by_ray(seen: Point, near: vec3f) -> vec3f {
-    return select(near, background(seen.normal), seen.surface == NOTHING);
+fn seen_without_light(hit: Hit, seen: Point) -> vec3f {
+    if seen.surface == NOTHING { return background(seen.normal); }
+    return emitted_towards_ray(hit, seen);
 }

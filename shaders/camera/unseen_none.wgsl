@@ -1,5 +1,5 @@
-// A ray that hits nothing sees what the points around do.
+// Where a ray hits nothing there is no light.
 
-fn seen_by_ray(seen: Point, near: vec3f) -> vec3f {
-    return near;
+fn seen_without_light(hit: Hit, seen: Point) -> vec3f {
+    return emitted_towards_ray(hit, seen);
 }

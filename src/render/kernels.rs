@@ -17,7 +17,10 @@ use super::features::Target;
 use super::lights::LightKind;
 use super::settings::{Method, Sharing};
 use crate::gpu::{Program, TriangleRecord};
-pub use camera::{antialias, background, emit, resolve, show, visible_points};
+pub use camera::{
+    antialias, background, choose_points, chosen_points, emit, first_rays, link_rays, resolve,
+    show, visible_points,
+};
 pub use catalogue::{CATALOGUE, features_of, features_without};
 pub use direct::direct;
 pub use gather::{
@@ -30,7 +33,7 @@ pub use visibility::{Emitter, expand, rays_at_once, visibility};
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![expand(), split_subsets()];
+    let mut programs = vec![expand(), split_subsets(), choose_points(), link_rays()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             // Literals are of triangles alone.
@@ -39,7 +42,9 @@ pub fn all_programs() -> Vec<Program> {
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
         programs.extend([false, true].map(|lit| visible_points(target, lit)));
-        programs.extend([antialias(target), resolve(target)]);
+        programs.extend([false, true].map(|emits| first_rays(target, emits)));
+        programs.extend([false, true].map(|emits| antialias(target, emits)));
+        programs.extend([chosen_points(target), resolve(target)]);
         programs.extend([emit(target), reflect(target), discontinuity_buffer(target)]);
         programs.extend([false, true].map(|given| clamped_energy(target, given)));
         for probed in [false, true] {

@@ -20,6 +20,35 @@ pub fn attributes(
         ("emission_scales", features.emission_textures),
         ("throughputs", features.specular()),
     ];
-    let asked = names.into_iter().filter(|(_, is)| *is);
-    asked.map(|(name, _)| Ok((name, gpu.storage::<[f32; 4]>(name, points)?))).collect()
+    buffers(gpu, &names, points)
+}
+
+/// The same where edges are antialiased: rays see emission by themselves, and what is known of the
+/// first rays of a pixel goes with its point.
+///
+/// # Errors
+/// The device refuses.
+pub fn ray_attributes(
+    gpu: &Gpu,
+    features: Features,
+    points: usize,
+) -> Result<Vec<Attribute>, GpuError> {
+    let names = [
+        ("albedos", features.textures),
+        ("throughputs", features.specular()),
+        ("ray_emission", true),
+        ("ray_highlights", true),
+        ("ray_throughputs", features.specular()),
+    ];
+    buffers(gpu, &names, points)
+}
+
+/// Those that are asked for.
+fn buffers(
+    gpu: &Gpu,
+    names: &[(&'static str, bool)],
+    points: usize,
+) -> Result<Vec<Attribute>, GpuError> {
+    let asked = names.iter().filter(|(_, is)| *is);
+    asked.map(|(name, _)| Ok((*name, gpu.storage::<[f32; 4]>(name, points)?))).collect()
 }

@@ -1,6 +1,6 @@
 //! The buffers of a tile that all steps share: what its camera rays see, and the film.
 
-use super::attributes::{Attribute, attributes};
+use super::attributes::{Attribute, attributes, ray_attributes};
 use super::setup::FrameSetup;
 use crate::gpu::{GpuError, PointRecord};
 use crate::render::prepared::Prepared;
@@ -34,7 +34,10 @@ impl TileBuffers {
         Ok(Self {
             film: colours("film")?,
             points: gpu.storage::<PointRecord>("visible points", points)?,
-            attributes: attributes(gpu, features, points)?,
+            attributes: match settings.antialiases() {
+                true => ray_attributes(gpu, features, points)?,
+                false => attributes(gpu, features, points)?,
+            },
             radiance: by_point.then(|| colours("radiance")).transpose()?,
         })
     }

@@ -1,12 +1,13 @@
-//! Camera rays: the visible points of a tile, and further rays at edges.
+//! Camera rays: the visible points of a tile, and how their radiance comes to the film.
 
 use std::time::Duration;
 
+use super::antialiasing::Antialiasing;
 use super::buffers::TileBuffers;
 use super::setup::FrameSetup;
 use super::tiling::Tile;
 use crate::gpu::{CameraParams, GpuError};
-use crate::render::kernels::{antialias, rays_at_once, resolve, visible_points};
+use crate::render::kernels::{resolve, visible_points};
 use crate::render::prepared::Prepared;
 use crate::render::stage::Stage;
 use crate::sampling::{SURFACE_OFFSET, hash};
@@ -18,19 +19,16 @@ pub struct CameraRays<'a> {
     prepared: &'a Prepared,
     /// What all tiles share.
     params: CameraParams,
-    visible: Stage,
-    film: ToFilm,
+    kind: Kind,
 }
 
-/// How the radiance of a sample's visible points comes to the film.
+/// How visible points are found, and how their radiance comes to the film.
 #[derive(Debug)]
-enum ToFilm {
-    /// It is there.
-    Direct,
-    /// Through mirrors and glass.
-    Resolved(Stage),
-    /// With further camera rays where pixels see edges.
-    Antialiased(Stage),
+enum Kind {
+    /// A ray finds each. Radiance is on the film, unless mirrors and glass are to be minded.
+    Single { visible: Stage, resolve: Option<Stage> },
+    /// Several rays a pixel, and more at edges.
+    Antialiased(Antialiasing),
 }
 
 impl<'a> CameraRays<'a> {
@@ -41,19 +39,22 @@ impl<'a> CameraRays<'a> {
     pub fn new(setup: &FrameSetup<'a>, tile: &TileBuffers) -> Result<Self, GpuError> {
         let FrameSetup { prepared, camera, settings, seed, .. } = *setup;
         let target = prepared.target_of(settings);
-        let named = tile.named(prepared);
-        let bind = |program| Stage::new(prepared, &program, &named);
-        let film = match settings.antialiases() {
-            true => ToFilm::Antialiased(bind(antialias(target))?),
-            false if target.features.specular() => ToFilm::Resolved(bind(resolve(target))?),
-            false => ToFilm::Direct,
-        };
         let params = CameraParams {
             edge_rays: settings.edge_samples.div_ceil(settings.samples),
             ..camera_params(prepared, camera, settings.samples, seed)
         };
-        let visible = bind(visible_points(target, settings.method.is_lit()))?;
-        Ok(Self { prepared, params, visible, film })
+        let kind = if settings.antialiases() {
+            Kind::Antialiased(Antialiasing::new(setup, tile)?)
+        } else {
+            let named = tile.named(prepared);
+            let bind = |program| Stage::new(prepared, &program, &named);
+            let resolved = target.features.specular() && settings.method.is_lit();
+            Kind::Single {
+                visible: bind(visible_points(target, settings.method.is_lit()))?,
+                resolve: resolved.then(|| bind(resolve(target))).transpose()?,
+            }
+        };
+        Ok(Self { prepared, params, kind })
     }
 
     /// Finds the visible points of a tile.
@@ -61,7 +62,11 @@ impl<'a> CameraRays<'a> {
     /// # Errors
     /// The device fails.
     pub fn find_points(&self, tile: Tile) -> Result<Duration, GpuError> {
-        self.visible.run(self.prepared, &self.params_of(tile), [tile.blocks, 1])
+        let params = self.params_of(tile);
+        match &self.kind {
+            Kind::Single { visible, .. } => visible.run(self.prepared, &params, [tile.blocks, 1]),
+            Kind::Antialiased(rays) => rays.find_points(self.prepared, &params),
+        }
     }
 
     /// Brings the radiance of a sample to the film, with more camera rays at edges; nothing if
@@ -70,21 +75,12 @@ impl<'a> CameraRays<'a> {
     /// # Errors
     /// The device fails.
     pub fn add_to_film(&self, tile: Tile) -> Result<Duration, GpuError> {
-        let groups = [tile.blocks, 1];
-        match &self.film {
-            ToFilm::Direct => Ok(Duration::ZERO),
-            ToFilm::Resolved(stage) => stage.run(self.prepared, &(), groups),
-            ToFilm::Antialiased(stage) => {
-                let params = self.params_of(tile);
-                let at_once = rays_at_once(self.prepared.bvh.nodes.len());
-                let mut time = Duration::ZERO;
-                for first_ray in (0..params.edge_rays).step_by(at_once as usize) {
-                    let rays = at_once.min(params.edge_rays - first_ray);
-                    let params = CameraParams { first_ray, rays, ..params };
-                    time += stage.run(self.prepared, &params, groups)?;
-                }
-                Ok(time)
+        match &self.kind {
+            Kind::Single { resolve: None, .. } => Ok(Duration::ZERO),
+            Kind::Single { resolve: Some(stage), .. } => {
+                stage.run(self.prepared, &(), [tile.blocks, 1])
             }
+            Kind::Antialiased(rays) => rays.add_to_film(self.prepared, &self.params_of(tile)),
         }
     }
 

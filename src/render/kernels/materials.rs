@@ -44,6 +44,17 @@ pub fn store_attributes(features: Features) -> Vec<&'static Module> {
     modules
 }
 
+/// What keeps the albedo of points where rays have hit, and its buffer.
+pub fn stored_albedo(features: Features) -> Vec<&'static Module> {
+    match features.textures {
+        true => {
+            let textures = textures(features).into_iter();
+            textures.chain([&MATERIAL_TEXTURES, &ALBEDO_TEXTURED, &STORE_ALBEDO]).collect()
+        }
+        false => vec![&STORE_ALBEDO_NONE],
+    }
+}
+
 /// The buffers that [`store_attributes`] writes.
 pub fn attributes(features: Features) -> Vec<&'static Module> {
     let buffers = [

@@ -3,8 +3,9 @@
 use super::Plan;
 use crate::gpu::Program;
 use crate::render::kernels::{
-    self, Emitter, antialias, background, clamped_energy, compensation, discontinuity_buffer, emit,
-    expand, join_subsets, path, reflect, resolve, shade, show, split_subsets, visible_points,
+    self, Emitter, antialias, background, choose_points, chosen_points, clamped_energy,
+    compensation, discontinuity_buffer, emit, expand, first_rays, join_subsets, link_rays, path,
+    reflect, resolve, shade, show, split_subsets, visible_points,
 };
 use crate::render::lights::LightKind;
 use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
@@ -22,16 +23,18 @@ impl Plan {
     /// Those of every method but [`Method::Path`].
     fn vpl_programs(&self, settings: &Settings) -> Vec<Program> {
         let target = self.target_of(settings);
-        let mut programs = vec![visible_points(target, settings.method.is_lit())];
+        let mut programs = match settings.antialiases() {
+            true => self.antialiasing_programs(settings),
+            false => vec![visible_points(target, settings.method.is_lit())],
+        };
         programs.extend(show(self.target(), settings.method));
         if !settings.method.is_lit() {
             return programs;
         }
-        match settings.antialiases() {
-            true => programs.push(antialias(target)),
-            false => programs.extend(target.features.specular().then(|| resolve(target))),
+        if !settings.antialiases() {
+            programs.extend(target.features.specular().then(|| resolve(target)));
+            programs.extend(self.emission_programs());
         }
-        programs.extend(self.emission_programs());
         if settings.direct != Direct::Off {
             for kind in self.kinds() {
                 match Emitter::of(kind).filter(|_| settings.direct == Direct::Clustered) {
@@ -66,6 +69,18 @@ impl Plan {
             }
         }
         programs
+    }
+
+    /// Camera rays where edges are antialiased: they find visible points, emission and background.
+    fn antialiasing_programs(&self, settings: &Settings) -> Vec<Program> {
+        let (target, emits) = (self.target_of(settings), self.lights.have_surfaces());
+        vec![
+            first_rays(target, emits),
+            choose_points(),
+            chosen_points(target),
+            link_rays(),
+            antialias(target, emits),
+        ]
     }
 
     /// Those of [`Method::Path`].
