@@ -9,57 +9,91 @@
 // In w, how many samples of the pixel hit something.
 @group(0) @binding(8) var<storage, read_write> film: array<vec4f>;
 @group(0) @binding(20) var<storage, read> radiance: array<vec4f>;
-@group(0) @binding(90) var<storage, read> ray_emission: array<vec4u>;
-@group(0) @binding(91) var<storage, read> ray_highlights: array<vec4f>;
+@group(0) @binding(100) var<storage, read> ray_emission: array<vec4u>;
+@group(0) @binding(101) var<storage, read> ray_highlights: array<vec4f>;
 
 // Most rays of a pixel in one dispatch, a beam of four each.
 const MOST_BEAMS = 8u;
 // How far the radiances of an edge are apart, over their mean, to be worth more rays.
 const CONTRAST = 0.25;
 
-var<workgroup> edge_bits: array<atomic<u32>, 2>;
-var<workgroup> edge_points: array<u32, 64>;
 var<workgroup> beam_sums: array<vec3f, 512>;
 
 // The light that a visible point reflects into a ray.
 fn light_by_code(pixel: vec2u, own: u32, code: u32) -> vec3f {
-    let light = radiance[around(pixel, own, min(code & 15u, 8u))].rgb;
+    let light = radiance[around(pixel, own, select(code & 15u, OWN, code == NO_LIGHT))].rgb;
     return select(light, vec3f(0.0), code == NO_LIGHT);
+}
+
+// A first ray of a pixel around one, by which quadrant of those pixels it goes through: of 4 x 4
+// quadrants, in rows, around the pixel itself.
+struct RingRay {
+    is: bool,
+    pixel: vec2u,
+    index: u32,
+    ray: u32,
+    // What gives it its light.
+    code: u32,
+    point: u32,
+}
+
+fn ring_ray(pixel: vec2u, own: u32, i: u32) -> RingRay {
+    let cell = vec2u(i % 4u, i / 4u) + 1u;
+    let way = vec2i(cell / 2u) - 1;
+    let is = any(way != vec2i(0)) && in_tile(vec2i(pixel) + way);
+    let other = select(pixel, vec2u(vec2i(pixel) + way), is);
+    let index = point_at(vec2i(other));
+    let ray = ((cell.x & 1u) + 2u * (cell.y & 1u)) % first_rays();
+    let code = code_of(ray_emission[index].w, ray);
+    let point = around(other, index, select(code & 15u, OWN, code == NO_LIGHT));
+    return RingRay(is, other, index, ray, code, point);
+}
+
+// Whether more than one surface is seen around a pixel.
+fn surfaces_meet(pixel: vec2u, own: u32) -> bool {
+    var first: Point;
+    var any = false;
+    var differ = false;
+    for (var i = 0u; i < 16u; i++) {
+        let ring = ring_ray(pixel, own, i);
+        if !ring.is { continue; }
+        var seen = points[ring.point];
+        if ring.code == NO_LIGHT { seen.surface = NOTHING; }
+        if !any { first = seen; }
+        any = true;
+        differ = differ || ring.code >= UNLIKE || !alike(first, seen)
+            || stored_throughput(ring.index).w > 0.0;
+    }
+    return differ;
+}
+
+// Whether the radiances around a pixel are so far apart that more rays are worth their time.
+fn radiances_differ(pixel: vec2u, own: u32) -> bool {
+    var low = vec3f(HUGE);
+    var high = vec3f(0.0);
+    var sum = vec3f(0.0);
+    var count = 0.0;
+    for (var i = 0u; i < 16u; i++) {
+        let ring = ring_ray(pixel, own, i);
+        if !ring.is { continue; }
+        let light = select(radiance[ring.point].rgb, vec3f(0.0), ring.code == NO_LIGHT);
+        let seen = light * ray_throughput(ring.index, ring.ray)
+            + ray_highlights[ring.index][ring.ray];
+        low = min(low, seen);
+        high = max(high, seen);
+        sum += seen;
+        count += 1.0;
+    }
+    let apart = high - low;
+    let most = max(apart.x, max(apart.y, apart.z));
+    return most * count > CONTRAST * dot(sum, vec3f(1.0 / 3.0));
 }
 
 // Whether surfaces of unlike radiance meet around a pixel: by the rays of those quadrants of the
 // pixels around it that touch it.
 fn is_edge(pixel: vec2u, own: u32) -> bool {
-    let rays = first_rays();
-    var reference: Point;
-    var count = 0.0;
-    var differ = false;
-    var low = vec3f(HUGE);
-    var high = vec3f(0.0);
-    var sum = vec3f(0.0);
-    // The quadrants of 2 x 2 pixels in their rows, those in the middle being the pixel itself.
-    for (var i = 0u; i < 16u; i++) {
-        let cell = vec2u(i % 4u, i / 4u) + 1u;
-        let way = vec2i(cell / 2u) - 1;
-        let other = vec2i(pixel) + way;
-        if all(way == vec2i(0)) || !in_tile(other) { continue; }
-        let index = point_at(other);
-        let ray = ((cell.x & 1u) + 2u * (cell.y & 1u)) % rays;
-        let code = code_of(ray_emission[index].w, ray);
-        var seen = points[around(vec2u(other), index, min(code & 15u, 8u))];
-        if code == NO_LIGHT { seen.surface = NOTHING; }
-        let light = light_by_code(vec2u(other), index, code) * ray_throughput(index, ray)
-            + ray_highlights[index][ray];
-        if count == 0.0 { reference = seen; }
-        differ = differ || (code & UNLIKE) != 0u || !alike(reference, seen)
-            || stored_throughput(index).w > 0.0;
-        low = min(low, light);
-        high = max(high, light);
-        sum += light;
-        count += 1.0;
-    }
-    let apart = max(high.x - low.x, max(high.y - low.y, high.z - low.z));
-    return differ && apart * count > CONTRAST * dot(sum, vec3f(1.0 / 3.0));
+    if !surfaces_meet(pixel, own) { return false; }
+    return radiances_differ(pixel, own);
 }
 
 // The sum of what the four rays of a beam see, those of them that are wanted.
@@ -100,32 +134,24 @@ fn main(
     let is = id.x == own && pixel.x < params.width && pixel.y < params.height;
     let first = first_rays();
     let edge = is && params.rays > 0u && is_edge(pixel, own);
-    if edge { atomicOr(&edge_bits[invocation / 32u], 1u << (invocation % 32u)); }
-    workgroupBarrier();
-    let bits = vec2u(atomicLoad(&edge_bits[0]), atomicLoad(&edge_bits[1]));
-    // How many edges come before, and all of them.
-    let before = countOneBits(bits.x & ((1u << min(invocation, 31u)) - 1u));
-    let later = countOneBits(bits.x) + countOneBits(bits.y & ((1u << (invocation % 32u)) - 1u));
-    let rank = select(before, later, invocation >= 32u);
-    if edge { edge_points[rank] = own; }
-    workgroupBarrier();
+    let listed = list_points(edge, own, invocation);
 
     // The beams of all edges, one after the other: a subgroup has no idle lanes but the last.
     let beams = min((params.rays + 3u) / 4u, MOST_BEAMS);
-    let all = (countOneBits(bits.x) + countOneBits(bits.y)) * beams;
+    let all = listed.count * beams;
     let end = params.first_ray + params.rays;
     for (var start = 0u; start < all; start += 64u) {
         let beam = min(start + invocation, all - 1u);
         let ray = params.first_ray + 4u * (beam % beams);
         let last = select(0u, end, start + invocation < all);
-        let sum = beam_sum(edge_points[beam / beams], ray, last, invocation);
+        let sum = beam_sum(listed_points[beam / beams], ray, last, invocation);
         if start + invocation < all { beam_sums[beam] = sum; }
     }
     workgroupBarrier();
 
     var sum = vec3f(0.0);
     for (var beam = 0u; beam < beams; beam++) {
-        if edge { sum += beam_sums[rank * beams + beam]; }
+        if edge { sum += beam_sums[listed.rank * beams + beam]; }
     }
     // The first rays count once, whatever number of dispatches there is.
     if params.first_ray == first {

@@ -4,7 +4,7 @@
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 // The first ray that is to find the visible point anew; NOTHING if it stays.
-@group(0) @binding(95) var<storage, read_write> choices: array<u32>;
+@group(0) @binding(105) var<storage, read_write> choices: array<u32>;
 
 const OTHERS = 2u;
 

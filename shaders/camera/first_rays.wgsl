@@ -3,10 +3,10 @@
 // visible point's help.
 
 @group(0) @binding(4) var<storage, read_write> points: array<Point>;
-@group(0) @binding(90) var<storage, read_write> ray_emission: array<vec4u>;
-@group(0) @binding(91) var<storage, read_write> ray_highlights: array<vec4f>;
-@group(0) @binding(93) var<storage, read_write> ray_places: array<vec4u>;
-@group(0) @binding(94) var<storage, read_write> ray_surfaces: array<vec4u>;
+@group(0) @binding(100) var<storage, read_write> ray_emission: array<vec4u>;
+@group(0) @binding(101) var<storage, read_write> ray_highlights: array<vec4f>;
+@group(0) @binding(103) var<storage, read_write> ray_places: array<vec4u>;
+@group(0) @binding(104) var<storage, read_write> ray_surfaces: array<vec4u>;
 
 // No invocation returns early: a subgroup traces its rays together.
 @compute @workgroup_size(64)

@@ -1,7 +1,7 @@
 // Which visible point gives its light to each of the first rays of a pixel.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(90) var<storage, read_write> ray_emission: array<vec4u>;
+@group(0) @binding(100) var<storage, read_write> ray_emission: array<vec4u>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {

@@ -1,6 +1,6 @@
 // The throughputs of the specular chains of a pixel's first rays.
 
-@group(0) @binding(92) var<storage, read_write> ray_throughputs: array<vec4u>;
+@group(0) @binding(102) var<storage, read_write> ray_throughputs: array<vec4u>;
 
 fn store_ray_throughputs(index: u32, throughputs: vec4u) {
     ray_throughputs[index] = throughputs;

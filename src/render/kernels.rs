@@ -18,8 +18,8 @@ use super::lights::LightKind;
 use super::settings::{Method, Sharing};
 use crate::gpu::{Program, TriangleRecord};
 pub use camera::{
-    antialias, background, choose_points, chosen_points, emit, first_rays, link_rays, resolve,
-    show, visible_points,
+    antialias, background, choose_points, chosen_points, emit, first_rays, link_rays, rays_of_beam,
+    resolve, show, visible_points,
 };
 pub use catalogue::{CATALOGUE, features_of, features_without};
 pub use direct::direct;

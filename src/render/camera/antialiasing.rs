@@ -7,13 +7,16 @@ use super::buffers::TileBuffers;
 use super::setup::FrameSetup;
 use crate::gpu::{CameraParams, GpuError};
 use crate::render::kernels::{
-    antialias, choose_points, chosen_points, first_rays, link_rays, rays_at_once,
+    antialias, choose_points, chosen_points, first_rays, link_rays, rays_at_once, rays_of_beam,
 };
 use crate::render::prepared::Prepared;
 use crate::render::stage::Stage;
 
 /// First rays of a pixel over all its samples, unless the samples are more.
 const MOST_FIRST: u32 = 4;
+
+/// Most rays of a pixel in a dispatch: MOST_BEAMS of `shaders/camera/antialias.wgsl`, of four each.
+const MOST_RAYS: u32 = 32;
 
 /// The stages of antialiasing.
 #[derive(Debug)]
@@ -23,6 +26,8 @@ pub struct Antialiasing {
     chosen: Stage,
     link: Stage,
     antialias: Stage,
+    /// Rays of a pixel in one dispatch, at most.
+    rays_at_once: u32,
 }
 
 impl Antialiasing {
@@ -47,6 +52,8 @@ impl Antialiasing {
             chosen: bind(chosen_points(target))?,
             link: bind(link_rays())?,
             antialias: bind(antialias(target, emits))?,
+            rays_at_once: MOST_RAYS
+                .min(rays_of_beam(target) * rays_at_once(prepared.bvh.nodes.len())),
         })
     }
 
@@ -72,7 +79,7 @@ impl Antialiasing {
         prepared: &Prepared,
         params: &CameraParams,
     ) -> Result<Duration, GpuError> {
-        let at_once = rays_at_once(prepared.bvh.nodes.len());
+        let at_once = self.rays_at_once;
         let first = first_rays_of(params);
         let mut time = Duration::ZERO;
         // Once, even if there are no more rays.

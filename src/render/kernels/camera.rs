@@ -2,14 +2,14 @@
 
 use super::catalogue::{
     ALBEDO_PLAIN, ANTIALIAS, BACKGROUND, BEAM_EACH, BEAM_PACKET, BSDF, CAMERA, CHOOSE_POINTS,
-    CHOSEN_POINTS, EMIT, FIRST_RAYS, GLASS, HIT_POINT, HIT_TRIANGLES, LINK_RAYS, MATERIAL_TEXTURES,
-    MIRROR, ONE_SURFACE, PIXEL_RAYS, PIXELS, POINTS_AROUND, RAY, RAY_EMISSION, RAY_EMISSION_NONE,
-    RAY_EMISSION_SCALE, RAY_EMISSION_SCALE_NONE, RAY_OFFSET, RAY_THROUGHPUT, RAY_THROUGHPUT_NONE,
-    REFLECTANCE_ANY, REFLECTANCE_PLAIN, RESOLVE, SAMPLE_SPECULAR_EITHER, SAMPLE_SPECULAR_GLASS,
-    SAMPLE_SPECULAR_MIRROR, SAMPLING, SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
-    SPECULAR_CHAIN, SPECULAR_CHAIN_NONE, SPECULAR_SAMPLE, STORE_THROUGHPUT, STORE_THROUGHPUT_NONE,
-    STORED_RAYS, THROUGHPUT_NONE, THROUGHPUT_STORED, TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE,
-    VIEW_DIRECTION, VIEW_DIRECTION_NONE, VISIBLE_POINTS,
+    CHOSEN_POINTS, EDGE_LIST, EMIT, FIRST_RAYS, GLASS, HIT_POINT, HIT_TRIANGLES, LINK_RAYS,
+    MATERIAL_TEXTURES, MIRROR, ONE_SURFACE, PIXEL_RAYS, PIXELS, POINTS_AROUND, RAY, RAY_EMISSION,
+    RAY_EMISSION_NONE, RAY_EMISSION_SCALE, RAY_EMISSION_SCALE_NONE, RAY_OFFSET, RAY_THROUGHPUT,
+    RAY_THROUGHPUT_NONE, REFLECTANCE_ANY, REFLECTANCE_PLAIN, RESOLVE, SAMPLE_SPECULAR_EITHER,
+    SAMPLE_SPECULAR_GLASS, SAMPLE_SPECULAR_MIRROR, SAMPLING, SHAPE_TRIANGLE, SHOW_ALBEDO,
+    SHOW_DEPTH, SHOW_NORMAL, SPECULAR_CHAIN, SPECULAR_CHAIN_NONE, SPECULAR_SAMPLE,
+    STORE_THROUGHPUT, STORE_THROUGHPUT_NONE, STORED_RAYS, THROUGHPUT_NONE, THROUGHPUT_STORED,
+    TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_DIRECTION, VIEW_DIRECTION_NONE, VISIBLE_POINTS,
 };
 use super::lights::sky;
 use super::materials::{albedo, attributes, emission_scale, store_attributes, stored_albedo};
@@ -53,7 +53,7 @@ pub fn choose_points() -> Program {
 pub fn chosen_points(target: Target) -> Program {
     let keep = if target.features.specular() { &STORE_THROUGHPUT } else { &STORE_THROUGHPUT_NONE };
     let mut modules = camera_rays(target, &stored_albedo(target.features));
-    modules.extend([&RAY_OFFSET, &VIEW_DIRECTION, keep, &PIXEL_RAYS, &CHOSEN_POINTS]);
+    modules.extend([&RAY_OFFSET, &VIEW_DIRECTION, keep, &PIXEL_RAYS, &EDGE_LIST, &CHOSEN_POINTS]);
     Program::new("chosen points", modules)
 }
 
@@ -71,13 +71,18 @@ pub fn antialias(target: Target, emits: bool) -> Program {
     modules.extend(emits.then_some(&ALBEDO_PLAIN));
     modules.extend(beams(target, emits));
     modules.extend(last);
-    modules.extend([ray_throughput(target), &ANTIALIAS]);
+    modules.extend([ray_throughput(target), &EDGE_LIST, &ANTIALIAS]);
     Program::new("antialiasing", modules)
 }
 
 /// What points around a pixel are to its first rays.
 fn around() -> Vec<&'static Module> {
     vec![&TYPES, &SAMPLING, &PIXELS, &RAY, &CAMERA, &PIXEL_RAYS, &ONE_SURFACE, &POINTS_AROUND]
+}
+
+/// Rays that one traversal of the hierarchy serves.
+pub fn rays_of_beam(target: Target) -> u32 {
+    if target.subgroups && !target.literals { 4 } else { 1 }
 }
 
 /// Beams of camera rays, and what rays see that no light falls on.

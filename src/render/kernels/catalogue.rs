@@ -94,6 +94,7 @@ modules! {
     RAY_EMISSION_SCALE = "camera/ray_emission_scale" for "emission textures";
     RAY_THROUGHPUT_NONE = "camera/ray_throughput_none";
     RAY_THROUGHPUT = "camera/ray_throughput";
+    EDGE_LIST = "camera/edge_list" for "antialiasing of edges";
     FIRST_RAYS = "camera/first_rays" for "antialiasing of edges";
     CHOOSE_POINTS = "camera/choose_points" for "antialiasing of edges";
     CHOSEN_POINTS = "camera/chosen_points" for "antialiasing of edges";
