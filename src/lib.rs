@@ -21,8 +21,9 @@
 //!    each step lies in the room of `src/render/` that bears its name, its shaders in the folder
 //!    of `shaders/` of the same name:
 //! 4. **VPLs** (`vpls`): the host traces light paths; each hit deposits a virtual point light.
-//! 5. **Visible points** (`camera`): camera rays, for each sample of every pixel of a tile; they go
-//!    on at mirrors and glass.
+//! 5. **Visible points** (`camera`): camera rays, a beam for each sample of every pixel of a tile; they
+//!    go on at mirrors and glass. One of a beam finds the pixel's visible point: that nearest to its
+//!    centre, or one on a surface that no point around shows.
 //! 6. **Direct light** (`direct`): shadow rays to point, spot and directional lights, to samples of
 //!    area lights and of the environment. What stages have gathered at visible points (`gather`)
 //!    becomes radiance once a kind of light; combining stochastic light over pixels belongs between.
@@ -35,8 +36,8 @@
 //!    subsets of them, which the pixels around it complete.
 //!    The bound on near VPLs takes light away; bias compensation gives it back by short paths where
 //!    the settings ask for that (`compensation`). `indirect` puts these together.
-//! 10. **Antialiasing** (`camera`): where surfaces meet in a pixel, more camera rays weigh the
-//!     radiance of the visible points around.
+//! 10. **Antialiasing** (`camera`): a pixel's rays weigh the radiance of the visible points around;
+//!     where surfaces of unlike radiance meet, more of them do.
 //! 11. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
 //!     and how long it took; [`metrics`] says how far it is from a reference; [`study`] renders
 //!     in many settings and compares; [`extremes`] holds the renderer against what must come out.
