@@ -26,13 +26,13 @@ fn wall(size: [u32; 2], radiance: f64) -> Build {
     build
 }
 
-/// A strip at distance 1 that is seen from both sides, its length and width in pixels.
+/// A strip at distance 1 that faces the camera, its length and width in pixels.
 fn strip(build: &mut Build, material: u32, center: [f64; 2], extent: [f64; 2], turn: f64, of: f64) {
     let along = 0.5 * extent[0] * of * dvec3(turn.cos(), turn.sin(), 0.0);
     let across = 0.5 * extent[1] * of * dvec3(-turn.sin(), turn.cos(), 0.0);
     let center = dvec3(center[0] * of, center[1] * of, 1.0);
     let corner = |x: f64, y: f64| center + x * along + y * across;
-    let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+    let corners = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)];
     build.polygon(material, &corners);
 }
 
@@ -51,7 +51,7 @@ fn a_thin_lamp_has_all_its_light() {
         let mut shares = Vec::new();
         for turn in 0..20 {
             let mut build = wall(size, 0.05);
-            let lamp = build.material([0.0; 3], [17.0; 3], true);
+            let lamp = build.material([0.0; 3], [17.0; 3], false);
             let turn = f64::from(turn);
             let center = [0.37 * turn % 1.0, 0.61 * turn % 1.0];
             strip(&mut build, lamp, center, [10.0, 1.0 / 3.0], 0.157 * turn, of);
