@@ -41,31 +41,6 @@ fn render(gpu: &Gpu, build: Build, edge_samples: u32) -> Image {
     render_on(gpu.clone(), build.scene(), &settings).image
 }
 
-/// A lamp a third of a pixel thin over dark walls.
-#[test]
-fn a_thin_lamp_has_all_its_light() {
-    let size = [40, 40];
-    let of = pixel(40.0, size[1]);
-    for gpu in [gpu().clone(), gpu().clone().without_subgroups()] {
-        let dark = render(&gpu, wall(size, 0.05), 1);
-        let mut shares = Vec::new();
-        for turn in 0..20 {
-            let mut build = wall(size, 0.05);
-            let lamp = build.material([0.0; 3], [17.0; 3], false);
-            let turn = f64::from(turn);
-            let center = [0.37 * turn % 1.0, 0.61 * turn % 1.0];
-            strip(&mut build, lamp, center, [10.0, 1.0 / 3.0], 0.157 * turn, of);
-            let image = render(&gpu, build, 16);
-            let more = image.pixels.iter().zip(&dark.pixels).map(|(a, b)| f64::from(a[1] - b[1]));
-            // What the lamp hides is lost.
-            shares.push(more.sum::<f64>() / ((17.0 - 0.05) * 10.0 / 3.0));
-        }
-        let mean = shares.iter().sum::<f64>() / 20.0;
-        let all = shares.iter().all(|share| (share - 1.0).abs() < 0.2);
-        assert!(all && (mean - 1.0).abs() < 0.03, "{mean} of {shares:?}");
-    }
-}
-
 /// A dark wire .3 pixel thick before a bright wall.
 #[test]
 fn a_thin_wire_has_no_gaps() {
