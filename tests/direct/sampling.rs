@@ -1,6 +1,8 @@
 //! Light samples: whatever guides them, their mean is the light; and what combines them over pixels
 //! takes noise away and leaves the edges of shadows.
 
+#![allow(clippy::expect_used, reason = "a helper of tests fails by panicking")]
+
 use crate::common::lights::mean_of;
 use crate::common::{Build, gpu};
 use glam::{DVec3, Vec3, dvec3};
