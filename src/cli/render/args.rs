@@ -51,8 +51,8 @@ pub struct RenderArgs {
     pub direct: Direct,
 
     /// Shadow rays from each visible point, or cluster, to all lights that have some extent, or auto:
-    /// 4 a pixel, up to 16 where few pixels around see the same surface, and 256 a cluster; not for
-    /// path, which has one a vertex
+    /// 4 a pixel, up to 16 where few pixels around see the same surface or --direct-filter is off, and
+    /// 256 a cluster; not for path, which has one a vertex
     #[arg(long, allow_negative_numbers = true, value_name = "S|auto", default_value = "auto",
           value_parser = parse::light_samples)]
     pub light_samples: LightSamples,
