@@ -24,5 +24,5 @@ pub use layout::{
     StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use shader::{Linked, Module, Program};
-pub use texture::Texture;
+pub use texture::{TableFormat, Texture};
 pub use timer::DispatchTimes;

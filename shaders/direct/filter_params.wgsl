@@ -6,14 +6,18 @@ struct FilterParams {
     height: u32,
     // Pixels between taps.
     step: u32,
-    // 1 for the last level, which writes in the order of points.
-    last: u32,
     // By which the variance of a difference is multiplied for one that counts 1/e.
     tolerance: f32,
     // Light samples of a point that has many like neighbours.
     rays: u32,
     pad0: u32,
     pad1: u32,
+    pad2: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: FilterParams;
+
+// The place of a pixel in the order of pixels.
+fn place_of(pixel: vec2u) -> u32 {
+    return pixel.y * params.width + pixel.x;
+}

@@ -3,9 +3,10 @@
 // no bias.
 
 @group(0) @binding(88) var<storage, read_write> ray_counts: array<u32>;
+// Of each point, a bit for each of the 5 x 5 pixels around that sees the same surface, row by row.
+@group(0) @binding(17) var<storage, read_write> like_pixels: array<u32>;
 
-// Like pixels of the 5 x 5 around a point that takes the usual number, and at most how many times as
-// many others take.
+// Like pixels of a point that takes the usual number, and at most how many times as many others take.
 const LIKE = 18.0;
 const MOST = 4.0;
 
@@ -14,10 +15,12 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.width * params.height { return; }
     let pixel = vec2i(pixel_of(id.x, 0u, params.width));
     let own = surface_at(pixel);
-    var like = 0.0;
+    var like = 0u;
     for (var i = 0; i < 25; i++) {
-        like += f32(is_like(own, surface_at(pixel + vec2i(i % 5 - 2, i / 5 - 2))));
+        let other = surface_at(pixel + vec2i(i % 5 - 2, i / 5 - 2));
+        like |= u32(is_like(own, other)) << u32(i);
     }
-    let times = clamp(LIKE / max(like, 1.0), 1.0, MOST);
+    let times = clamp(LIKE / max(f32(countOneBits(like)), 1.0), 1.0, MOST);
     ray_counts[id.x] = u32(round(f32(params.rays) * times));
+    like_pixels[id.x] = like;
 }

@@ -3,9 +3,16 @@
 
 alias Gathered = vec4f;
 
+const LOBES = 1u;
+
 // Light gathered by a lobe, of which there is one.
 fn gathered_by(lobe: u32, light: vec4f) -> Gathered {
     return light;
+}
+
+// What a lobe gathered.
+fn light_of_lobe(gathered: Gathered, lobe: u32) -> vec4f {
+    return gathered;
 }
 
 // The light of one, and what was clamped from the other.

@@ -4,9 +4,16 @@
 
 alias Gathered = mat2x4f;
 
+const LOBES = 2u;
+
 // Light gathered by the diffuse lobe, 0, or by the glossy one.
 fn gathered_by(lobe: u32, light: vec4f) -> Gathered {
     return Gathered(select(vec4f(0.0), light, lobe == 0u), select(light, vec4f(0.0), lobe == 0u));
+}
+
+// What a lobe gathered.
+fn light_of_lobe(gathered: Gathered, lobe: u32) -> vec4f {
+    return gathered[lobe];
 }
 
 // The light of one, and what was clamped from the other.

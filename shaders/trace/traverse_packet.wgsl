@@ -10,11 +10,6 @@ const ROOT = 8u;
 // Of children that no ray meets.
 const LAST_KEY = 0x7ffffffc;
 
-// Where four words of a table are: TABLE_WIDTH of src/gpu/texture.rs.
-fn table_place(i: u32) -> vec2u {
-    return vec2u(i & 8191u, i >> 13u);
-}
-
 fn load_triangle(i: u32) -> Triangle {
     let one = textureLoad(triangle_table, table_place(3u * i), 0);
     let two = textureLoad(triangle_table, table_place(3u * i + 1u), 0);

@@ -63,17 +63,17 @@ impl Gpu {
         &self,
         kernel: &Kernel,
         buffers: &[(&str, &wgpu::Buffer)],
-        textures: &[Texture],
+        textures: &[(&str, &Texture)],
     ) -> Result<Bindings, GpuError> {
         let entries = kernel
             .bindings
             .iter()
             .map(|(name, binding)| {
                 let buffer = buffers.iter().find(|(known, _)| known == name);
-                let texture = textures.iter().find(|texture| texture.name == name);
+                let texture = textures.iter().find(|(known, _)| known == name);
                 let resource = match (buffer, texture) {
                     (Some((_, buffer)), _) => buffer.as_entire_binding(),
-                    (None, Some(texture)) => wgpu::BindingResource::TextureView(&texture.view),
+                    (None, Some((_, texture))) => wgpu::BindingResource::TextureView(&texture.view),
                     (None, None) => {
                         let what = format!("{}: no buffer for '{name}'", kernel.label);
                         return Err(GpuError::Invalid(what));

@@ -6,7 +6,7 @@ use bytemuck::Pod;
 use super::{Gpu, GpuError};
 
 /// Texels in a row of a table, but where one row is enough; `table_place` in
-/// `shaders/trace/traverse_packet.wgsl` knows it. Every adapter has so many.
+/// `shaders/common/table.wgsl` knows it. Every adapter has so many.
 const TABLE_WIDTH: usize = 8192;
 /// Bytes of a texel.
 const TEXEL: usize = 16;
@@ -19,6 +19,25 @@ pub struct Texture {
     /// Bytes that it takes.
     pub bytes: u64,
     pub(super) view: wgpu::TextureView,
+}
+
+/// How many words of 32 bits a texel of a table has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TableFormat {
+    /// Two.
+    Pairs,
+    /// Four.
+    Quadruples,
+}
+
+impl TableFormat {
+    /// Bytes of a texel.
+    fn texel(self) -> usize {
+        match self {
+            Self::Pairs => TEXEL / 2,
+            Self::Quadruples => TEXEL,
+        }
+    }
 }
 
 impl Texture {
@@ -42,9 +61,37 @@ impl Gpu {
     /// # Errors
     /// It has more rows than the adapter has, or memory is out.
     pub fn texture_of<T: Pod>(&self, name: &'static str, data: &[T]) -> Result<Texture, GpuError> {
-        let [width, height] = size_of_table(size_of_val(data));
         let mut bytes = bytemuck::cast_slice::<T, u8>(data).to_vec();
-        bytes.resize(TEXEL * width * height, 0);
+        let size = size_of_table(bytes.len());
+        bytes.resize(TEXEL * size[0] * size[1], 0);
+        self.create_table(name, size, TableFormat::Quadruples, &bytes, wgpu::TextureUsages::empty())
+    }
+
+    /// A table of `texels` texels of 0 that kernels write and later ones read.
+    ///
+    /// # Errors
+    /// It has more rows than the adapter has, or memory is out.
+    pub fn table(
+        &self,
+        name: &'static str,
+        texels: usize,
+        format: TableFormat,
+    ) -> Result<Texture, GpuError> {
+        let size = size_of_table(TEXEL * texels);
+        // If zeros are not written, wgpu clears the texture when it is first used; then llvmpipe's
+        // timestamps are wrong from there on, as it draws to clear and times what it draws.
+        let zeros = vec![0; format.texel() * size[0] * size[1]];
+        self.create_table(name, size, format, &zeros, wgpu::TextureUsages::STORAGE_BINDING)
+    }
+
+    fn create_table(
+        &self,
+        name: &'static str,
+        [width, height]: [usize; 2],
+        format: TableFormat,
+        bytes: &[u8],
+        usage: wgpu::TextureUsages,
+    ) -> Result<Texture, GpuError> {
         let size =
             wgpu::Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: 1 };
         let texture = self.checked(&format!("allocating {name}"), || {
@@ -54,16 +101,19 @@ impl Gpu {
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
-                format: wgpu::TextureFormat::Rgba32Uint,
-                usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+                format: match format {
+                    TableFormat::Pairs => wgpu::TextureFormat::Rg32Uint,
+                    TableFormat::Quadruples => wgpu::TextureFormat::Rgba32Uint,
+                },
+                usage: usage | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
                 view_formats: &[],
             });
             let layout = wgpu::TexelCopyBufferLayout {
                 offset: 0,
-                bytes_per_row: Some((TEXEL * width) as u32),
+                bytes_per_row: Some((format.texel() * width) as u32),
                 rows_per_image: None,
             };
-            self.queue.write_texture(texture.as_image_copy(), &bytes, layout, size);
+            self.queue.write_texture(texture.as_image_copy(), bytes, layout, size);
             texture
         })?;
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());

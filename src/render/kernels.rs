@@ -21,7 +21,7 @@ pub use camera::{antialias, background, emit, resolve, show, visible_points};
 pub use catalogue::{CATALOGUE, features_of, features_without};
 pub use direct::{
     direct_exact, direct_sampled, filter_guide, filter_level, guide, guide_pilot, guide_unshadowed,
-    pack_surfaces, ray_counts,
+    pack_light, pack_surfaces, ray_counts,
 };
 pub use gather::{
     clamped_energy, discontinuity_buffer, join_subsets, reflect, shade, split_subsets,
@@ -55,7 +55,10 @@ pub fn all_programs() -> Vec<Program> {
         let (exact, extended): (Vec<_>, Vec<_>) = kinds.partition(|kind| kind.is_exact());
         programs.extend(exact.into_iter().map(|kind| direct_exact(target, kind)));
         programs.extend([pack_surfaces(target), ray_counts(target)]);
-        programs.extend([filter_guide(target), filter_level(target)]);
+        programs.extend([pack_light(target), filter_guide()]);
+        for [near, last] in [[true, false], [false, false], [false, true]] {
+            programs.push(filter_level(target, near, last));
+        }
         // One kind, several side by side, and all.
         let some = (1..=extended.len()).flat_map(|count| extended.windows(count));
         for kinds in some {

@@ -4,10 +4,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::prepared::Prepared;
-use crate::gpu::{Bindings, CameraParams, Dispatch, GpuError, Kernel, Program};
+use crate::gpu::{Bindings, CameraParams, Dispatch, GpuError, Kernel, Program, Texture};
 
 /// A buffer and the name by which shaders know it.
 pub type Named<'a> = (&'a str, &'a wgpu::Buffer);
+
+/// A table in a texture and the name by which shaders know it.
+pub type NamedTexture<'a> = (&'a str, &'a Texture);
 
 /// A kernel with its buffers bound, and the buffer of its parameters.
 #[derive(Debug)]
@@ -27,11 +30,26 @@ impl Stage {
         program: &Program,
         buffers: &[Named<'_>],
     ) -> Result<Self, GpuError> {
+        Self::with_textures(prepared, program, buffers, &[])
+    }
+
+    /// The same, with tables in textures beside those of the scene.
+    ///
+    /// # Errors
+    /// The device refuses.
+    pub fn with_textures(
+        prepared: &Prepared,
+        program: &Program,
+        buffers: &[Named<'_>],
+        textures: &[NamedTexture<'_>],
+    ) -> Result<Self, GpuError> {
         let kernel = prepared.kernel(program.clone())?;
         // The largest of the parameter records; a kernel reads its own.
         let params = prepared.gpu.parameters::<CameraParams>("parameters")?;
         let buffers = [buffers, &[("params", &params)]].concat();
-        let bindings = prepared.gpu.bind_with(&kernel, &buffers, &prepared.textures)?;
+        let tables = prepared.textures.iter().map(|texture| (texture.name, texture));
+        let textures: Vec<_> = textures.iter().copied().chain(tables).collect();
+        let bindings = prepared.gpu.bind_with(&kernel, &buffers, &textures)?;
         Ok(Self { kernel, bindings, params })
     }
 

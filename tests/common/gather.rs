@@ -112,7 +112,9 @@ impl<'a> VisibilityDispatch<'a> {
             ("counter", &counter),
         ];
         let buffers: Vec<_> = own.into_iter().chain(world.named()).collect();
-        let bindings = gpu.bind_with(&kernel, &buffers, &world.textures).unwrap();
+        let textures: Vec<_> =
+            world.textures.iter().map(|texture| (texture.name, texture)).collect();
+        let bindings = gpu.bind_with(&kernel, &buffers, &textures).unwrap();
         let counts = [points.len(), vpls.len(), world.bvh.nodes.len()];
         Self { gpu, tracing, kernel, bindings, params, bits, counter, counts }
     }

@@ -8,7 +8,7 @@ use crate::bvh::{Bvh, Ray, WideBvh};
 use crate::gpu::{Dispatch, Gpu, GpuError, Module, PointRecord, Program, Texture};
 use crate::render::Features;
 use crate::render::kernels::catalogue::{
-    HIT_TRIANGLES, LITERALS, RAY, SHAPE_TRIANGLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
+    HIT_TRIANGLES, LITERALS, RAY, SHAPE_TRIANGLE, TABLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
 };
 use crate::render::kernels::literals::{Literals, meet};
 use crate::render::kernels::shapes;
@@ -119,10 +119,10 @@ const MOST_LITERALS: usize = 220;
 pub fn on_device(gpu: &Gpu, world: &World, rays: &[Ray], any: bool) -> Result<Answers, GpuError> {
     let with = |modules: &[&'static Module], text| with(gpu, modules, text, world, rays, any);
     let shapes = shapes(world.features);
-    let of_nodes = |traverse| [&shapes[..], &[traverse]].concat();
-    let mut sides = vec![("device", with(&of_nodes(&TRAVERSE), None)?)];
+    let of_nodes = |traverse: &[&'static Module]| [&shapes[..], traverse].concat();
+    let mut sides = vec![("device", with(&of_nodes(&[&TRAVERSE]), None)?)];
     if gpu.has_subgroups() {
-        sides.push(("device, packets", with(&of_nodes(&TRAVERSE_PACKET), None)?));
+        sides.push(("device, packets", with(&of_nodes(&[&TABLE, &TRAVERSE_PACKET]), None)?));
     }
     let plain = world.features == Features::default();
     if plain && world.bvh.triangles.len() <= MOST_LITERALS {
@@ -156,7 +156,8 @@ fn with(
     let rays_buffer = gpu.storage_of("rays", &rays)?;
     let own = [("params", &params), ("rays", &rays_buffer), ("hits", &hits)];
     let buffers: Vec<_> = own.into_iter().chain(world.named()).collect();
-    let bindings = gpu.bind_with(&kernel, &buffers, &world.textures)?;
+    let textures: Vec<_> = world.textures.iter().map(|texture| (texture.name, texture)).collect();
+    let bindings = gpu.bind_with(&kernel, &buffers, &textures)?;
     gpu.run(&[Dispatch {
         kernel: &kernel,
         bindings: &bindings,

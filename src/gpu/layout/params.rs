@@ -84,14 +84,12 @@ pub struct FilterParams {
     pub height: u32,
     /// Pixels between taps.
     pub step: u32,
-    /// 1 for the last level, which writes in the order of points, else 0.
-    pub last: u32,
     /// By which the variance of a difference is multiplied for one that counts 1/e.
     pub tolerance: f32,
     /// Light samples of a point that has many like neighbours.
     pub rays: u32,
     /// Unused.
-    pub pad: [u32; 2],
+    pub pad: [u32; 3],
 }
 
 /// Parameters of the stages that guide light samples.

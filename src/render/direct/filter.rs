@@ -6,15 +6,18 @@
 
 use std::time::Duration;
 
-use crate::gpu::{FilterParams, GpuError};
+use crate::gpu::{FilterParams, GpuError, Program, TableFormat};
 use crate::render::camera::{FrameSetup, Tile};
 use crate::render::prepared::Prepared;
-use crate::render::stage::{Named, Stage};
+use crate::render::stage::{Named, NamedTexture, Stage};
 
 /// Levels: taps of 3 × 3 pixels, each twice as far apart as those before.
 const LEVELS: u32 = 4;
 /// The squared difference of local means over their variance that counts 1/e, for one sample a pixel.
 const TOLERANCE: f32 = 2.25;
+
+/// Of those, whose taps are among the 5 × 5 pixels around.
+const NEAR_LEVELS: u32 = 2;
 
 /// The stages of the filter, and its buffers.
 #[derive(Debug)]
@@ -27,10 +30,10 @@ pub struct DirectFilter<'a> {
     pub ray_counts: wgpu::Buffer,
     surfaces: Stage,
     counts: Stage,
+    light: Stage,
     means: Stage,
-    /// From either buffer to the other; from the second to the irradiance of points.
-    levels: [Stage; 2],
-    last: Stage,
+    /// The last one's result is the irradiance of points.
+    levels: Vec<Stage>,
 }
 
 impl<'a> DirectFilter<'a> {
@@ -48,29 +51,38 @@ impl<'a> DirectFilter<'a> {
         let FrameSetup { prepared, settings, tiling, .. } = *setup;
         let (gpu, points) = (&prepared.gpu, setup.most_points());
         let values = points * prepared.target().lobes();
-        let surfaces = gpu.storage::<[u32; 4]>("surfaces", points)?;
-        let local_means = gpu.storage::<[f32; 2]>("local means", points)?;
+        let like_pixels = gpu.storage::<u32>("like pixels", points)?;
         let ray_counts = gpu.storage::<u32>("ray counts", points)?;
-        let first = gpu.storage::<[f32; 4]>("light to combine", values)?;
-        let second = gpu.storage::<[f32; 4]>("combined light", values)?;
-        let own = [
-            ("surfaces", &surfaces),
-            ("local_means", &local_means),
-            ("ray_counts", &ray_counts),
-            irradiance,
+        let surfaces = gpu.table("surfaces", points, TableFormat::Quadruples)?;
+        let means = gpu.table("means", points, TableFormat::Pairs)?;
+        let local_means = gpu.table("local means", points, TableFormat::Pairs)?;
+        let light = [
+            gpu.table("light to combine", values, TableFormat::Quadruples)?,
+            gpu.table("combined light", values, TableFormat::Quadruples)?,
         ];
+        let own = [("like_pixels", &like_pixels), ("ray_counts", &ray_counts), irradiance];
         let named = [&own[..], named].concat();
-        let [pack, counts, means, level] = prepared.direct_filter_programs();
-        let bind = |program, from: &wgpu::Buffer, to: &wgpu::Buffer| {
-            let named = [&[("gathered", from), ("combined", to)], &named[..]].concat();
-            Stage::new(prepared, program, &named)
+        let bind = |program: &Program, textures: &[NamedTexture<'_>]| {
+            Stage::with_textures(prepared, program, &named, textures)
         };
+        let [pack, counts, pack_light, guide, near, far, last] = prepared.direct_filter_programs();
+        let levels = (0..LEVELS).map(|level| {
+            let program = match level {
+                level if level + 1 == LEVELS => &last,
+                level if level < NEAR_LEVELS => &near,
+                _ => &far,
+            };
+            // From either table to the other.
+            let [from, to] = [level % 2, (level + 1) % 2].map(|i| &light[i as usize]);
+            let textures = [("light", from), ("filtered_light", to), ("means", &local_means)];
+            bind(program, &[&textures[..], &[("surfaces", &surfaces)]].concat())
+        });
         Ok(Self {
-            surfaces: bind(&pack, &first, &second)?,
-            counts: bind(&counts, &first, &second)?,
-            means: bind(&means, &first, &second)?,
-            levels: [bind(&level, &first, &second)?, bind(&level, &second, &first)?],
-            last: bind(&level, &second, irradiance.1)?,
+            levels: levels.collect::<Result<_, _>>()?,
+            surfaces: bind(&pack, &[("packed_surfaces", &surfaces)])?,
+            counts: bind(&counts, &[("surfaces", &surfaces)])?,
+            light: bind(&pack_light, &[("filtered_light", &light[0]), ("packed_means", &means)])?,
+            means: bind(&guide, &[("means", &means), ("packed_means", &local_means)])?,
             ray_counts,
             params: FilterParams {
                 rays,
@@ -98,12 +110,10 @@ impl<'a> DirectFilter<'a> {
     /// The device fails.
     pub fn combine(&self, tile: Tile) -> Result<Duration, GpuError> {
         let params = self.params_of(tile);
-        let mut time = self.run(&self.means, params, tile)?;
-        for level in 0..LEVELS {
-            let last = level + 1 == LEVELS;
-            let stage = if last { &self.last } else { &self.levels[level as usize % 2] };
-            let params = FilterParams { step: 1 << level, last: u32::from(last), ..params };
-            time += self.run(stage, params, tile)?;
+        let mut time =
+            self.run(&self.light, params, tile)? + self.run(&self.means, params, tile)?;
+        for (level, stage) in self.levels.iter().enumerate() {
+            time += self.run(stage, FilterParams { step: 1 << level, ..params }, tile)?;
         }
         Ok(time)
     }
@@ -117,6 +127,3 @@ impl<'a> DirectFilter<'a> {
         FilterParams { width, height, ..self.params }
     }
 }
-
-// The last level reads the second buffer.
-const _: () = assert!(LEVELS.is_multiple_of(2));

@@ -24,6 +24,7 @@ modules! {
     TYPES = "common/types";
     SAMPLING = "common/sampling";
     PIXELS = "common/pixels";
+    TABLE = "common/table";
     SHAPE_TRIANGLE = "trace/shape_triangle";
     SHAPE_ANY = "trace/shape_any" for "spheres";
     OPAQUE_ALL = "trace/opaque_all";
@@ -132,7 +133,12 @@ modules! {
     FILTER_PARAMS = "direct/filter_params" for "filter of direct light";
     FILTER_SURFACES = "direct/filter_surfaces" for "filter of direct light";
     RAY_COUNTS = "direct/ray_counts" for "filter of direct light";
+    PACK_LIGHT = "direct/pack_light" for "filter of direct light";
     FILTER_GUIDE = "direct/filter_guide" for "filter of direct light";
+    FILTER_NEAR = "direct/filter_near" for "filter of direct light";
+    FILTER_FAR = "direct/filter_far" for "filter of direct light";
+    FILTER_TO_TABLE = "direct/filter_to_table" for "filter of direct light";
+    FILTER_TO_POINTS = "direct/filter_to_points" for "filter of direct light";
     FILTER_LEVEL = "direct/filter_level" for "filter of direct light";
     RAYS_ALIKE = "direct/rays_alike";
     RAYS_COUNTED = "direct/rays_counted" for "filter of direct light";

@@ -1,10 +1,11 @@
 //! The programs of light straight from its source.
 
 use super::catalogue::{
-    CHOOSE_STRATUM, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, FILTER_GUIDE, FILTER_LEVEL,
-    FILTER_PARAMS, FILTER_SURFACES, GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED,
-    ONE_SURFACE, PACK_SURFACES, PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING,
-    TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
+    CHOOSE_STRATUM, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, FILTER_FAR, FILTER_GUIDE,
+    FILTER_LEVEL, FILTER_NEAR, FILTER_PARAMS, FILTER_SURFACES, FILTER_TO_POINTS, FILTER_TO_TABLE,
+    GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, ONE_SURFACE, PACK_LIGHT, PACK_SURFACES,
+    PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING, TABLE, TRIANGLE_AREA,
+    TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
 };
 use super::gather::{surface, surface_code};
 use super::lights::{light_strata, lights_of};
@@ -73,33 +74,51 @@ pub fn guide() -> Program {
 
 /// The surfaces of visible points in the order of pixels.
 pub fn pack_surfaces(target: Target) -> Program {
-    let mut modules = vec![&TYPES, &PIXELS];
-    modules.extend(surface_code(target));
-    modules.extend([&FILTER_PARAMS, &PACK_SURFACES]);
+    let mut modules = surface_code(target);
+    modules.extend(filtering());
+    modules.push(&PACK_SURFACES);
     Program::new("direct light, surfaces", modules)
 }
 
-/// How many light samples visible points take.
+/// How many light samples visible points take, by how many pixels around see the same surface.
 pub fn ray_counts(target: Target) -> Program {
-    let modules = [&filtered(target)[..], &[&RAY_COUNTS]].concat();
+    let modules = [&filtering()[..], &surfaces_around(target), &[&RAY_COUNTS]].concat();
     Program::new("direct light, ray counts", modules)
 }
 
+/// The light of visible points in the order of pixels.
+pub fn pack_light(target: Target) -> Program {
+    let modules = [&filtering()[..], &[gathered(target), &PACK_LIGHT]].concat();
+    Program::new("direct light, packing", modules)
+}
+
 /// What the filter of direct light compares.
-pub fn filter_guide(target: Target) -> Program {
-    let modules = [&filtered(target)[..], &[gathered(target), &FILTER_GUIDE]].concat();
+pub fn filter_guide() -> Program {
+    let modules = [&filtering()[..], &[&FILTER_GUIDE]].concat();
     Program::new("direct light, local means", modules)
 }
 
-/// A level of the filter of direct light.
-pub fn filter_level(target: Target) -> Program {
-    let modules = [&filtered(target)[..], &[gathered(target), &FILTER_LEVEL]].concat();
+/// A level of the filter of direct light; `near` is whether its taps are among the 5 × 5 pixels
+/// around, and `last` whether its result is that of the filter.
+pub fn filter_level(target: Target, near: bool, last: bool) -> Program {
+    let mut modules = filtering();
+    match near {
+        true => modules.push(&FILTER_NEAR),
+        false => modules.extend(surfaces_around(target).into_iter().chain([&FILTER_FAR])),
+    }
+    let to = if last { &FILTER_TO_POINTS } else { &FILTER_TO_TABLE };
+    modules.extend([gathered(target), to, &FILTER_LEVEL]);
     Program::new("direct light, filter", modules)
 }
 
-/// What all that looks at the pixels around one shares.
-fn filtered(target: Target) -> Vec<&'static Module> {
-    vec![&TYPES, &PIXELS, &ONE_SURFACE, surface(target), &FILTER_PARAMS, &FILTER_SURFACES]
+/// What all stages of the filter share.
+fn filtering() -> Vec<&'static Module> {
+    vec![&TYPES, &PIXELS, &TABLE, &FILTER_PARAMS]
+}
+
+/// What looks at the surfaces of the pixels around one.
+fn surfaces_around(target: Target) -> [&'static Module; 3] {
+    [&ONE_SURFACE, surface(target), &FILTER_SURFACES]
 }
 
 fn place(near: bool) -> &'static Module {

@@ -2,7 +2,7 @@
 
 use super::catalogue::{
     BLOCKER_ANY, BLOCKER_TRIANGLE, LITERALS, OPAQUE_ALL, OPAQUE_CUTOUT, PACKET_RAYS, PACKET_SHAFT,
-    RAY, SHAPE_ANY, SHAPE_TRIANGLE, TEXTURE, TRAVERSE, TRAVERSE_PACKET, UV_ANY, UV_TRIANGLE,
+    RAY, SHAPE_ANY, SHAPE_TRIANGLE, TABLE, TEXTURE, TRAVERSE, TRAVERSE_PACKET, UV_ANY, UV_TRIANGLE,
     VISIBILITY_LITERALS, VISIBILITY_PACKET, VISIBILITY_SINGLE,
 };
 use crate::gpu::Module;
@@ -27,10 +27,13 @@ pub fn shapes(features: Features) -> Vec<&'static Module> {
 /// Rays, the shapes that they meet, and how those are traced that neighbours trace alike.
 pub fn rays(target: Target) -> Vec<&'static Module> {
     if target.literals {
-        return vec![&RAY, traverse(target)];
+        return vec![&RAY, &LITERALS];
     }
     let mut modules = shapes(target.features);
-    modules.push(traverse(target));
+    match target.subgroups {
+        true => modules.extend([&TABLE, &TRAVERSE_PACKET]),
+        false => modules.push(&TRAVERSE),
+    }
     modules
 }
 
@@ -39,15 +42,6 @@ pub fn blockers(features: Features) -> Vec<&'static Module> {
     match features.spheres || features.cutouts {
         true => [&shapes(features)[..], &[&BLOCKER_ANY]].concat(),
         false => vec![&RAY, &BLOCKER_TRIANGLE],
-    }
-}
-
-/// How rays are traced that neighbours trace alike.
-fn traverse(target: Target) -> &'static Module {
-    match target.subgroups {
-        _ if target.literals => &LITERALS,
-        true => &TRAVERSE_PACKET,
-        false => &TRAVERSE,
     }
 }
 

@@ -128,14 +128,18 @@ impl Plan {
         ]
     }
 
-    /// The filter of direct light: surfaces, counts of light samples, local means, a level.
-    pub fn direct_filter_programs(&self) -> [Program; 4] {
+    /// The filter of direct light: surfaces, counts of light samples, light, local means, and levels
+    /// near, far and last.
+    pub fn direct_filter_programs(&self) -> [Program; 7] {
         let target = self.target();
         [
             kernels::pack_surfaces(target),
             kernels::ray_counts(target),
-            kernels::filter_guide(target),
-            kernels::filter_level(target),
+            kernels::pack_light(target),
+            kernels::filter_guide(),
+            kernels::filter_level(target, true, false),
+            kernels::filter_level(target, false, false),
+            kernels::filter_level(target, false, true),
         ]
     }
 

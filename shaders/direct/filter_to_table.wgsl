@@ -1,0 +1,10 @@
+// The result of a level, for the next one.
+
+@group(0) @binding(95) var filtered_light: texture_storage_2d<rgba32uint, write>;
+
+fn store_light(point: u32, at: u32, light: Gathered) {
+    for (var lobe = 0u; lobe < LOBES; lobe++) {
+        let packed = bitcast<vec4u>(light_of_lobe(light, lobe));
+        textureStore(filtered_light, table_place(LOBES * at + lobe), packed);
+    }
+}
