@@ -1,12 +1,13 @@
 // The guide from what the pilot rays found: the probabilities of the strata of the lights in a block
 // of pixels, by what they give and how much of it arrives, there and in the blocks around.
 
-// Of each block and stratum of the lights, its probability and all before it.
-@group(0) @binding(84) var<storage, read_write> guide: array<f32>;
 // Of each block and stratum of the lights, what it gives unshadowed.
 @group(0) @binding(86) var<storage, read_write> unshadowed: array<f32>;
-// The share of that which is thought to arrive, or what samples are drawn by for it.
-@group(0) @binding(87) var<storage, read_write> arriving_share: array<f32>;
+// How many pilot rays went to it from the points of the block, and how many of them arrived.
+@group(0) @binding(99) var pilots: texture_2d<u32>;
+// Its probability and all before it, and the share of its light that is thought to arrive, or what
+// samples are drawn by for it.
+@group(0) @binding(100) var made_guide: texture_storage_2d<rg32uint, write>;
 
 // Of the samples, how many are drawn by what would arrive if nothing were in the way, and how many go
 // to all strata alike: where the pilot rays are wrong, they bound the weights of samples.
@@ -23,7 +24,8 @@ const OPEN = 0.9;
 
 // Pilot rays, and those of them that arrived.
 var<workgroup> tried: array<vec2f, MOST_STRATA>;
-var<workgroup> unshadowed_drawn: array<f32, MOST_STRATA>;
+// Of each stratum, the unshadowed light that is drawn from, and the share that is thought to arrive.
+var<workgroup> drawn: array<vec2f, MOST_STRATA>;
 // Of the strata of each invocation, and of all.
 var<workgroup> sums: array<vec4f, 64>;
 var<workgroup> whole: vec4f;
@@ -58,16 +60,17 @@ fn main(
     let column = i32((params.first_block + block) % params.across);
     for (var stratum = invocation; stratum < params.strata; stratum += 64u) {
         var sum = vec2f(0.0);
-        let blocks_around = select(25u, 0u, params.round == 0u);
+        let blocks_around = select(0u, 25u, params.is_piloted != 0u);
         for (var around = 0u; around < blocks_around; around++) {
             let way = vec2i(i32(around % 5u) - 2, i32(around / 5u) - 2);
             let other = i32(block) + way.y * i32(params.across) + way.x;
             let is = other >= 0 && other < i32(params.blocks)
                 && column + way.x >= 0 && column + way.x < i32(params.across);
-            let pilot = pilots[u32(select(i32(block), other, is)) * params.strata + stratum];
+            let at = u32(select(i32(block), other, is)) * params.strata + stratum;
+            let pilot = vec2f(textureLoad(pilots, table_place(at), 0).xy);
             // Those nearer count more.
             let counts = select(0, 6 - abs(way.x) - abs(way.y), is);
-            sum += f32(counts) * vec2f(f32(pilot & 0xffffu), f32(pilot >> 16u));
+            sum += f32(counts) * pilot;
         }
         tried[stratum] = sum;
     }
@@ -103,10 +106,9 @@ fn main(
             // Of light that arrives with a probability, the variance is least if samples are drawn
             // by its root.
             let share = sqrt(arriving(counted(stratum, 1u), of_small));
-            arriving_share[row + stratum] = share;
             // What is not drawn from gives nothing.
             let light = select(0.0, unshadowed[row + stratum], is_drawn(stratum, is_open));
-            unshadowed_drawn[stratum] = light;
+            drawn[stratum] = vec2f(light, share);
             given += vec3f(light * vec2f(1.0, share), f32(is_drawn(stratum, is_open)));
         }
     }
@@ -127,12 +129,14 @@ fn main(
     var before = sums[invocation].xyz;
     let total = whole.xyz;
     for (var stratum = first; stratum < end; stratum++) {
-        let light = unshadowed_drawn[stratum];
-        let share = arriving_share[row + stratum];
+        let light = drawn[stratum].x;
+        let share = drawn[stratum].y;
         before += vec3f(light * vec2f(1.0, share), f32(is_drawn(stratum, is_open)));
         let even = before.z / total.z;
         let plain = select(even, before.x / total.x, total.x > 0.0);
         let aimed = select(plain, before.y / total.y, total.y > 0.0);
-        guide[row + stratum] = mix(mix(aimed, plain, UNSHADOWED), even, UNIFORM);
+        let probability = mix(mix(aimed, plain, UNSHADOWED), even, UNIFORM);
+        let pair = bitcast<vec2u>(vec2f(probability, share));
+        textureStore(made_guide, table_place(row + stratum), vec4u(pair, 0u, 0u));
     }
 }

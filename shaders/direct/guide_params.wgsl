@@ -11,8 +11,8 @@ struct GuideParams {
     seed: u32,
     offset: f32,
     nodes: u32,
-    // Of the pilot rays; the guide is first made before there are any.
-    round: u32,
+    // Whether there are pilot rays; the guide is first made without.
+    is_piloted: u32,
     // Strata of an even sky, which are the first; then the last stratum is the same sky by the cosine
     // at the point, of which one direction is as good as another where nothing is in the way. Either
     // these or that are drawn from.
@@ -23,8 +23,4 @@ struct GuideParams {
 }
 
 @group(0) @binding(0) var<storage, read> params: GuideParams;
-// Of each block and stratum of the lights, how many pilot rays went to it from the points of the block,
-// and in the upper half of the bits how many of them arrived.
-@group(0) @binding(85) var<storage, read_write> pilots: array<u32>;
-
 const MOST_STRATA = 448u;

@@ -2,8 +2,9 @@
 // else: samples that are drawn by what they found stay unbiased.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
-// Of each block and stratum of the lights, its probability and all before it.
-@group(0) @binding(84) var<storage, read_write> guide: array<f32>;
+// Of each block and stratum of the lights, how many pilot rays went to it from the points of the
+// block, and how many of them arrived.
+@group(0) @binding(98) var counted_pilots: texture_storage_2d<rg32uint, write>;
 
 // One for each stratum; in the upper half of the bits those that arrived.
 var<workgroup> counts: array<atomic<u32>, MOST_STRATA>;
@@ -18,13 +19,11 @@ fn main(
 ) {
     let index = group.x * 64u + invocation;
     let point = points[index];
-    // Half of the pixels in each round, as on a chessboard.
-    let own = ((invocation ^ (invocation >> 1u)) & 1u) == params.round - 1u;
     let stream = hash(hash(params.first_block * 64u + index) + params.seed);
-    let u = stratified(invocation / 2u, 1.0 / 32.0, stream);
-    let stratum = choose_stratum(group.x * params.strata, params.strata, u.x).stratum;
+    let u = stratified(invocation, 1.0 / 64.0, stream);
+    let stratum = choose_stratum(group.x, params.strata, u.x).stratum;
     let light = sample_stratum(stratum, point, scrambled(invocation, hash(stream)), params.offset);
-    let is = own && point.surface != NOTHING && light.faces && light.density > 0.0;
+    let is = point.surface != NOTHING && light.faces && light.density > 0.0;
     let origin = offset_position(point, params.offset);
     let limit = select(0.0, light.limit, is);
     let hit = traverse(origin, light.toward, limit, params.nodes, true, invocation);
@@ -33,6 +32,8 @@ fn main(
     workgroupBarrier();
     let row = group.x * params.strata;
     for (var i = invocation; i < params.strata; i += 64u) {
-        pilots[row + i] += atomicLoad(&counts[i]);
+        let count = atomicLoad(&counts[i]);
+        let pair = vec4u(count % ARRIVED, count / ARRIVED, 0u, 0u);
+        textureStore(counted_pilots, table_place(row + i), pair);
     }
 }

@@ -55,6 +55,5 @@ fn main(
             sum += select(given_about(point, light, least), 0.0, place == 64u);
         }
         unshadowed[block * params.strata + stratum] = sum;
-        pilots[block * params.strata + stratum] = 0u;
     }
 }

@@ -2,11 +2,6 @@
 // choice among all kinds. In w, half the difference of the two halves of the rays, mean of the
 // channels: what the filter takes the noise for.
 
-// Of each block and stratum of the lights, its probability and all before it.
-@group(0) @binding(84) var<storage, read> guide: array<f32>;
-// The share of its light that is thought to arrive.
-@group(0) @binding(87) var<storage, read> arriving_share: array<f32>;
-
 // A place on the lights: of a few that are drawn, one by what it is thought to give. Talbot, Cline and
 // Egbert, "Importance Resampling for Global Illumination", EGSR 2005.
 struct Drawn {
@@ -15,7 +10,7 @@ struct Drawn {
     weight: f32,
 }
 
-fn draw_light(point: Point, row: u32, place: u32, all: u32, stream: u32) -> Drawn {
+fn draw_light(point: Point, block: u32, place: u32, all: u32, stream: u32) -> Drawn {
     var drawn: Drawn;
     var sum = 0.0;
     // One number decides all: what is left of it after a choice is uniform again.
@@ -23,10 +18,10 @@ fn draw_light(point: Point, row: u32, place: u32, all: u32, stream: u32) -> Draw
     for (var i = 0u; i < params.candidates; i++) {
         // Strata of all candidates of all rays; those of a ray are spread over the lights.
         let u = stratified(i * all + place, 1.0 / f32(params.candidates * all), stream);
-        let choice = choose_stratum(row, params.lights, u.x);
+        let choice = choose_stratum(block, params.lights, u.x);
         let light =
             sample_stratum(choice.stratum, point, vec2f(choice.rest, u.y), params.offset);
-        let gives = given(light) * arriving_share[row + choice.stratum];
+        let gives = given(light) * choice.arriving;
         let weight = gives / choice.probability;
         sum += weight;
         let share = select(0.0, weight / sum, weight > 0.0);
@@ -52,8 +47,7 @@ fn main(
     let is = id.x < params.points && point.surface != NOTHING;
     let origin = offset_position(point, params.offset);
     let stream = hash(hash(params.first_block * 64u + id.x) + params.seed);
-    let row = index / 64u * params.lights;
-    let rays = rays_of(index);
+        let rays = rays_of(index);
     let halves = min(rays, params.halves);
     var sum = Gathered();
     for (var ray = params.first; ray < params.first + params.count; ray++) {
@@ -64,7 +58,7 @@ fn main(
         let own = (rays + halves - 1u - half) / halves;
         let all = own * params.samples;
         let place = ray / halves * params.samples + params.sample;
-        let drawn = draw_light(point, row, place, all, hash(stream + half));
+        let drawn = draw_light(point, index / 64u, place, all, hash(stream + half));
         let light = drawn.light;
         let limit = select(0.0, light.limit, wanted && drawn.weight > 0.0);
         let hit = traverse(origin, light.toward, limit, params.nodes, true, invocation);

@@ -20,8 +20,8 @@ use crate::gpu::{Program, TriangleRecord};
 pub use camera::{antialias, background, emit, resolve, show, visible_points};
 pub use catalogue::{CATALOGUE, features_of, features_without};
 pub use direct::{
-    direct_exact, direct_sampled, filter_guide, filter_level, guide, guide_pilot, guide_unshadowed,
-    pack_light, pack_surfaces, ray_counts,
+    LightRays, direct_exact, direct_sampled, filter_guide, filter_level, guide, guide_pilot,
+    guide_unshadowed, pack_light, pack_surfaces, ray_counts,
 };
 pub use gather::{
     clamped_energy, discontinuity_buffer, join_subsets, reflect, shade, split_subsets,
@@ -63,8 +63,8 @@ pub fn all_programs() -> Vec<Program> {
         let some = (1..=extended.len()).flat_map(|count| extended.windows(count));
         for kinds in some {
             for near in [false, true] {
-                let counted = [false, true].into_iter();
-                programs.extend(counted.map(|is| direct_sampled(target, kinds, near, is)));
+                let by = [LightRays::Even, LightRays::Guided, LightRays::Counted].into_iter();
+                programs.extend(by.map(|by| direct_sampled(target, kinds, near, by)));
                 programs.push(guide_unshadowed(target, kinds, near));
                 programs.push(guide_pilot(target, kinds, near));
             }

@@ -110,8 +110,8 @@ pub struct GuideParams {
     pub offset: f32,
     /// Number of BVH nodes.
     pub nodes: u32,
-    /// Of the pilot rays.
-    pub round: u32,
+    /// 1 where there are pilot rays, else 0.
+    pub is_piloted: u32,
     /// Strata of an even sky, which are the first; the last is then the same sky by the cosine.
     pub even_sky: u32,
     /// Unused.

@@ -23,8 +23,7 @@ pub struct SampledLight<'a> {
     /// What all tiles share.
     params: DirectParams,
     most_rays: u32,
-    guide: Guide<'a>,
-    is_guided: bool,
+    guide: Option<Guide<'a>>,
     filter: Option<DirectFilter<'a>>,
     stage: Stage,
 }
@@ -45,17 +44,12 @@ impl<'a> SampledLight<'a> {
         let strata = prepared.lights.strata(kinds, is_guided);
         let table = prepared.gpu.storage_of("strata of the lights", &strata.records)?;
         let named = [&[("light_strata", &table)], named].concat();
-        let [unshadowed, pilot, guide, samples] = prepared.direct_sampled_programs(kinds, settings);
-        let programs = [&unshadowed, &pilot, &guide];
-        let guide = Guide::new(setup, &strata, programs, &named)?;
+        let guide = is_guided.then(|| Guide::new(setup, kinds, &strata, &named)).transpose()?;
         let rays = settings.light_samples_per_point();
-        if !is_guided {
-            guide.make_even()?;
-        }
         let filter = settings.filters_direct();
         let filter =
             filter.then(|| DirectFilter::new(setup, rays, irradiance, &named)).transpose()?;
-        let mut named = [&guide.named()[..], &named].concat();
+        let mut named = named;
         named.extend(filter.iter().map(|filter| ("ray_counts", &filter.ray_counts)));
         let params = DirectParams {
             lights: strata.records.len() as u32,
@@ -69,14 +63,15 @@ impl<'a> SampledLight<'a> {
             nodes: prepared.bvh.nodes.len() as u32,
             ..bytemuck::Zeroable::zeroed()
         };
+        let samples = prepared.direct_sampled_program(kinds, settings);
+        let textures: Vec<_> = guide.iter().map(|guide| ("guide", &guide.table)).collect();
         Ok(Self {
-            stage: Stage::new(prepared, &samples, &named)?,
+            stage: Stage::with_textures(prepared, &samples, &named, &textures)?,
             // Where pixels have few like neighbours, they take more.
             most_rays: if settings.counts_light_samples() { MOST_TIMES * rays } else { rays },
             prepared,
             params,
             guide,
-            is_guided,
             filter,
         })
     }
@@ -87,8 +82,8 @@ impl<'a> SampledLight<'a> {
     /// The device fails.
     pub fn gather(&self, tile: Tile) -> Result<Duration, GpuError> {
         let mut time = Duration::ZERO;
-        if self.is_guided && tile.sample == 0 {
-            time += self.guide.make(tile)?;
+        if let (Some(guide), 0) = (&self.guide, tile.sample) {
+            time += guide.make(tile)?;
         }
         if let Some(filter) = &self.filter {
             time += filter.count(tile)?;

@@ -125,6 +125,7 @@ modules! {
     SEVERAL_KINDS = "lights/several_kinds";
     LIGHT_STRATA = "lights/strata";
     CHOOSE_STRATUM = "direct/choose_stratum" for "guided light samples";
+    CHOOSE_STRATUM_EVEN = "direct/choose_stratum_even";
     GUIDE_PARAMS = "direct/guide_params" for "guided light samples";
     GUIDE_UNSHADOWED = "direct/guide_unshadowed" for "guided light samples";
     GUIDE_PILOT = "direct/guide_pilot" for "guided light samples";

@@ -1,11 +1,11 @@
 //! The programs of light straight from its source.
 
 use super::catalogue::{
-    CHOOSE_STRATUM, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, FILTER_FAR, FILTER_GUIDE,
-    FILTER_LEVEL, FILTER_NEAR, FILTER_PARAMS, FILTER_SURFACES, FILTER_TO_POINTS, FILTER_TO_TABLE,
-    GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, ONE_SURFACE, PACK_LIGHT, PACK_SURFACES,
-    PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING, TABLE, TRIANGLE_AREA,
-    TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
+    CHOOSE_STRATUM, CHOOSE_STRATUM_EVEN, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, FILTER_FAR,
+    FILTER_GUIDE, FILTER_LEVEL, FILTER_NEAR, FILTER_PARAMS, FILTER_SURFACES, FILTER_TO_POINTS,
+    FILTER_TO_TABLE, GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, ONE_SURFACE, PACK_LIGHT,
+    PACK_SURFACES, PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING, TABLE,
+    TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
 };
 use super::gather::{surface, surface_code};
 use super::lights::{light_strata, lights_of};
@@ -31,17 +31,31 @@ pub fn direct_exact(target: Target, kind: LightKind) -> Program {
     Program::new(label, modules)
 }
 
-/// Direct light from all lights of some extent, by guided samples. From triangles that are near to
-/// surfaces, places are drawn by solid angle; `counted` is whether points take numbers of samples of
-/// their own.
-pub fn direct_sampled(target: Target, kinds: &[LightKind], near: bool, counted: bool) -> Program {
+/// By what the places of light samples are drawn, and how many a point takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LightRays {
+    /// All strata of the lights alike.
+    Even,
+    /// The guide.
+    Guided,
+    /// The guide, and points take numbers of samples of their own.
+    Counted,
+}
+
+/// Direct light from all lights of some extent. From triangles that are near to surfaces, places are
+/// drawn by solid angle.
+pub fn direct_sampled(target: Target, kinds: &[LightKind], near: bool, by: LightRays) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
     modules.extend(lobes(target));
     modules.extend(rays(target));
     modules.push(&DIRECT_PARAMS);
     modules.extend(light_strata(target, kinds, place(near)));
-    modules.push(if counted { &RAYS_COUNTED } else { &RAYS_ALIKE });
-    modules.extend([&CHOOSE_STRATUM, &DIRECT_SAMPLED]);
+    match by {
+        LightRays::Even => modules.extend([&RAYS_ALIKE, &CHOOSE_STRATUM_EVEN]),
+        LightRays::Guided => modules.extend([&RAYS_ALIKE, &TABLE, &CHOOSE_STRATUM]),
+        LightRays::Counted => modules.extend([&RAYS_COUNTED, &TABLE, &CHOOSE_STRATUM]),
+    }
+    modules.push(&DIRECT_SAMPLED);
     Program::new("direct light, samples", modules)
 }
 
@@ -63,13 +77,13 @@ pub fn guide_pilot(target: Target, kinds: &[LightKind], near: bool) -> Program {
     let mut modules = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
     modules.extend(rays(target));
     modules.extend(light_strata(target, kinds, place(near)));
-    modules.extend([&GUIDE_PARAMS, &CHOOSE_STRATUM, &GUIDE_PILOT]);
+    modules.extend([&GUIDE_PARAMS, &TABLE, &CHOOSE_STRATUM, &GUIDE_PILOT]);
     Program::new("direct light, pilot rays", modules)
 }
 
 /// The probabilities of strata by what pilot rays found.
 pub fn guide() -> Program {
-    Program::new("direct light, guide", vec![&GUIDE_PARAMS, &GUIDE])
+    Program::new("direct light, guide", vec![&GUIDE_PARAMS, &TABLE, &GUIDE])
 }
 
 /// The surfaces of visible points in the order of pixels.

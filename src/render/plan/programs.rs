@@ -3,8 +3,9 @@
 use super::Plan;
 use crate::gpu::Program;
 use crate::render::kernels::{
-    self, Emitter, antialias, background, clamped_energy, compensation, discontinuity_buffer, emit,
-    expand, join_subsets, path, reflect, resolve, shade, show, split_subsets, visible_points,
+    self, Emitter, LightRays, antialias, background, clamped_energy, compensation,
+    discontinuity_buffer, emit, expand, join_subsets, path, reflect, resolve, shade, show,
+    split_subsets, visible_points,
 };
 use crate::render::lights::LightKind;
 use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
@@ -98,7 +99,10 @@ impl Plan {
             self.kinds().filter(|&kind| shared(kind).is_none()).partition(|kind| kind.is_exact());
         programs.extend(exact.into_iter().map(|kind| self.direct_exact_program(kind)));
         if !sampled.is_empty() {
-            programs.extend(self.direct_sampled_programs(&sampled, settings));
+            programs.push(self.direct_sampled_program(&sampled, settings));
+            if settings.few_light_samples() {
+                programs.extend(self.direct_guide_programs(&sampled));
+            }
             if settings.filters_direct() {
                 programs.extend(self.direct_filter_programs());
             }
@@ -111,20 +115,23 @@ impl Plan {
         kernels::direct_exact(self.target(), kind)
     }
 
-    /// Direct light from the lights of kinds that have some: unshadowed light, pilot rays, guide,
-    /// samples.
-    pub fn direct_sampled_programs(
-        &self,
-        kinds: &[LightKind],
-        settings: &Settings,
-    ) -> [Program; 4] {
+    /// Direct light from the lights of kinds that have some: samples.
+    pub fn direct_sampled_program(&self, kinds: &[LightKind], settings: &Settings) -> Program {
+        let by = match settings.few_light_samples() {
+            false => LightRays::Even,
+            true if settings.counts_light_samples() => LightRays::Counted,
+            true => LightRays::Guided,
+        };
+        kernels::direct_sampled(self.target(), kinds, self.near_lights, by)
+    }
+
+    /// What guides them: unshadowed light, pilot rays, and the guide.
+    pub fn direct_guide_programs(&self, kinds: &[LightKind]) -> [Program; 3] {
         let (target, near) = (self.target(), self.near_lights);
-        let counted = settings.counts_light_samples();
         [
             kernels::guide_unshadowed(target, kinds, near),
             kernels::guide_pilot(target, kinds, near),
             kernels::guide(),
-            kernels::direct_sampled(target, kinds, near, counted),
         ]
     }
 
