@@ -13,7 +13,24 @@ struct AreaLight {
     pad: f32,
 }
 
-@group(0) @binding(9) var<storage, read> area_lights: array<AreaLight>;
+// How many there are, in a texel; then five texels a light.
+@group(0) @binding(9) var area_lights: texture_2d<u32>;
+
+fn area_light_words(index: u32, row: u32) -> vec4u {
+    return textureLoad(area_lights, table_place(1u + 5u * index + row), 0);
+}
+
+fn area_light(index: u32) -> AreaLight {
+    let corner = bitcast<vec4f>(area_light_words(index, 0u));
+    let edge1 = bitcast<vec4f>(area_light_words(index, 1u));
+    let edge2 = area_light_words(index, 2u);
+    let normal = bitcast<vec4f>(area_light_words(index, 3u));
+    let radiance = bitcast<vec4f>(area_light_words(index, 4u));
+    return AreaLight(
+        corner.xyz, corner.w, edge1.xyz, edge1.w, bitcast<vec3f>(edge2.xyz), edge2.w,
+        normal.xyz, normal.w, radiance.xyz, radiance.w,
+    );
+}
 
 // A place on a light.
 struct TriangleSample {
@@ -32,10 +49,11 @@ fn uniform_on_triangle(light: AreaLight, u: vec2f) -> TriangleSample {
 // The light whose interval of probability holds u.
 fn choose_area_light(u: f32) -> u32 {
     var low = 0u;
-    var high = arrayLength(&area_lights);
+    var high = textureLoad(area_lights, vec2u(0u), 0).x;
     while high - low > 1u {
         let middle = (low + high) / 2u;
-        if area_lights[middle].before <= u { low = middle; } else { high = middle; }
+        let before = bitcast<f32>(area_light_words(middle, 0u).w);
+        if before <= u { low = middle; } else { high = middle; }
     }
     return low;
 }
@@ -44,7 +62,7 @@ fn choose_area_light(u: f32) -> u32 {
 fn sample_area_light(point: Point, at: vec2f, offset: f32) -> LightSample {
     var u = at;
     let index = choose_area_light(u.x);
-    let light = area_lights[index];
+    let light = area_light(index);
     u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
     let place = sample_triangle(point, light, u);
     let on_light =

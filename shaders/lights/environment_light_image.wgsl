@@ -18,7 +18,7 @@ fn environment_rest(at: u32, u: f32) -> f32 {
 }
 
 fn sample_environment_light(kind: u32, point: Point, at: vec2f, offset: f32) -> LightSample {
-    let count = vec2u(environment[5], environment[6]);
+    let count = environment_cell_count();
     let row = environment_find(ENVIRONMENT_ROWS, count.y, at.y);
     let cells = environment_cells(row);
     let column = environment_find(cells, count.x, at.x);

@@ -12,15 +12,30 @@ struct SphereLight {
     pad1: u32,
 }
 
-@group(0) @binding(82) var<storage, read> sphere_lights: array<SphereLight>;
+// How many there are, in a texel; then three texels a light.
+@group(0) @binding(82) var sphere_lights: texture_2d<u32>;
+
+fn sphere_light_words(index: u32, row: u32) -> vec4u {
+    return textureLoad(sphere_lights, table_place(1u + 3u * index + row), 0);
+}
+
+fn sphere_light(index: u32) -> SphereLight {
+    let place = bitcast<vec4f>(sphere_light_words(index, 0u));
+    let emission = sphere_light_words(index, 1u);
+    let choice = bitcast<vec4f>(sphere_light_words(index, 2u));
+    return SphereLight(
+        place.xyz, place.w, bitcast<vec3f>(emission.xyz), emission.w, choice.x, choice.y, 0u, 0u,
+    );
+}
 
 // The light whose interval of probability holds u.
 fn choose_sphere_light(u: f32) -> u32 {
     var low = 0u;
-    var high = arrayLength(&sphere_lights);
+    var high = textureLoad(sphere_lights, vec2u(0u), 0).x;
     while high - low > 1u {
         let middle = (low + high) / 2u;
-        if sphere_lights[middle].before <= u { low = middle; } else { high = middle; }
+        let before = bitcast<f32>(sphere_light_words(middle, 2u).x);
+        if before <= u { low = middle; } else { high = middle; }
     }
     return low;
 }
@@ -28,7 +43,7 @@ fn choose_sphere_light(u: f32) -> u32 {
 // A direction to the lights; densities are by solid angle.
 fn sample_sphere_light(point: Point, at: vec2f, offset: f32) -> LightSample {
     var u = at;
-    let light = sphere_lights[choose_sphere_light(u.x)];
+    let light = sphere_light(choose_sphere_light(u.x));
     u.x = clamp((u.x - light.before) / light.probability, 0.0, 1.0);
     let cone = cone_of_sphere(point, light.center, light.radius);
     let between = light.center - point.position;

@@ -6,16 +6,20 @@ struct LightStratum {
     low: vec2f,
     extent: vec2f,
     kind: u32,
-    pad0: u32,
-    pad1: u32,
-    pad2: u32,
 }
 
-@group(0) @binding(83) var<storage, read> light_strata: array<LightStratum>;
+// Two texels a stratum.
+@group(0) @binding(83) var light_strata: texture_2d<u32>;
+
+fn light_stratum(index: u32) -> LightStratum {
+    let square = bitcast<vec4f>(textureLoad(light_strata, table_place(2u * index), 0));
+    let kind = textureLoad(light_strata, table_place(2u * index + 1u), 0).x;
+    return LightStratum(square.xy, square.zw, kind);
+}
 
 // A place in a stratum, uniform there by the measure of its kind.
 fn sample_stratum(index: u32, point: Point, u: vec2f, offset: f32) -> LightSample {
-    let stratum = light_strata[index];
+    let stratum = light_stratum(index);
     let at = stratum.low + stratum.extent * u;
     var light = sample_light(stratum.kind, point, at, offset);
     light.density /= stratum.extent.x * stratum.extent.y;

@@ -20,7 +20,7 @@ use super::virtual_light::VirtualLight;
 use crate::bvh::Bvh;
 use crate::gpu::{
     AreaLightRecord, DirectionalLightRecord, Gpu, GpuError, PointLightRecord, SphereLightRecord,
-    SpotLightRecord,
+    SpotLightRecord, Texture,
 };
 use crate::scene::Scene;
 
@@ -108,24 +108,50 @@ impl Lights {
         LightKind::ALL.into_iter().filter(|&kind| self.count(kind) > 0)
     }
 
-    /// The table of a kind on the device.
+    /// The lights of a kind without extent on the device; none of others.
     ///
     /// # Errors
-    /// It does not fit.
-    pub fn upload(&self, gpu: &Gpu, kind: LightKind) -> Result<wgpu::Buffer, GpuError> {
-        match kind {
+    /// They do not fit.
+    pub fn upload_exact(
+        &self,
+        gpu: &Gpu,
+        kind: LightKind,
+    ) -> Result<Option<wgpu::Buffer>, GpuError> {
+        let table = match kind {
             LightKind::Point => gpu.storage_of("point lights", &self.point.records),
             LightKind::Spot => gpu.storage_of("spot lights", &self.spot.records),
             LightKind::Directional => {
                 gpu.storage_of("directional lights", &self.directional.records)
             }
-            LightKind::Area => gpu.storage_of("area lights", &self.area.records),
-            LightKind::Sphere => gpu.storage_of("sphere lights", &self.sphere.records),
+            LightKind::Area | LightKind::Sphere | LightKind::Environment => return Ok(None),
+        };
+        table.map(Some)
+    }
+
+    /// The lights of a kind of some extent on the device: their number in a texel, then the lights; the
+    /// environment by its words. None of other kinds.
+    ///
+    /// # Errors
+    /// They do not fit.
+    pub fn upload_extended(&self, gpu: &Gpu, kind: LightKind) -> Result<Option<Texture>, GpuError> {
+        let counted = |count: usize, lights: &[u8]| {
+            [&(count as u32).to_ne_bytes()[..], &[0; 12], lights].concat()
+        };
+        let area = &self.area.records;
+        let sphere = &self.sphere.records;
+        let table = match kind {
+            LightKind::Area => {
+                gpu.texture_of("area_lights", &counted(area.len(), bytemuck::cast_slice(area)))
+            }
+            LightKind::Sphere => gpu
+                .texture_of("sphere_lights", &counted(sphere.len(), bytemuck::cast_slice(sphere))),
             LightKind::Environment => {
                 let words = self.environment.as_ref().map_or(Vec::new(), EnvironmentLight::words);
-                gpu.storage_of("environment", &words)
+                gpu.texture_of("environment", &words)
             }
-        }
+            LightKind::Point | LightKind::Spot | LightKind::Directional => return Ok(None),
+        };
+        table.map(Some)
     }
 
     /// The probability density, by area, of a place on an area light, over the mean of its radiance

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use super::lights::LightKind;
 use super::plan::Plan;
 use super::settings::Settings;
+use super::stage::Named;
 use crate::gpu::{Gpu, GpuError, Kernel, Program, Texture};
 use crate::scene::{Environment, Scene};
 use compiled::CompiledKernels;
@@ -28,9 +29,8 @@ pub struct Prepared {
     tables: Vec<tables::Table>,
     /// Those that packets of rays are traced through.
     pub textures: Vec<Texture>,
-    /// The lights of each kind.
+    /// The lights of each kind that have no extent.
     pub light_tables: Vec<(LightKind, wgpu::Buffer)>,
-    environment_texels: Option<wgpu::Buffer>,
 }
 
 impl Prepared {
@@ -43,23 +43,16 @@ impl Prepared {
         tables::check(&gpu, &scene, Plan::features(&scene, settings))?;
         let start = Instant::now();
         let plan = Plan::new(scene, settings, gpu.has_subgroups());
-        let lights = &plan.lights;
         let mut prepared = Self {
             tables: tables::upload(&gpu, &plan.scene, &plan.bvh, plan.features)?,
-            textures: match &plan.wide {
-                Some(wide) => tables::of_packets(&gpu, &plan.bvh, wide)?,
-                None => Vec::new(),
-            },
+            textures: textures(&gpu, &plan)?,
             light_tables: plan
                 .kinds_with_tables()
-                .map(|kind| Ok((kind, lights.upload(&gpu, kind)?)))
+                .filter_map(|kind| {
+                    let table = plan.lights.upload_exact(&gpu, kind).transpose()?;
+                    Some(table.map(|table| (kind, table)))
+                })
                 .collect::<Result<_, GpuError>>()?,
-            environment_texels: match &plan.scene.environment {
-                Some(Environment { image: Some(image), .. }) if plan.features.sky.shines() => {
-                    Some(gpu.storage_of("environment image", &image.texels)?)
-                }
-                _ => None,
-            },
             kernels: CompiledKernels::default(),
             pipelines_time: Duration::ZERO,
             gpu,
@@ -88,21 +81,21 @@ impl Prepared {
 
     /// The buffers of the scene, by the names by which shaders know them.
     pub fn named(&self) -> impl Iterator<Item = (&str, &wgpu::Buffer)> {
-        let lights = self.light_tables.iter().filter_map(|(kind, of)| match kind {
-            LightKind::Area => Some(("area_lights", of)),
-            LightKind::Sphere => Some(("sphere_lights", of)),
-            LightKind::Environment => Some(("environment", of)),
-            LightKind::Point | LightKind::Spot | LightKind::Directional => None,
-        });
-        let texels = self.environment_texels.iter().map(|of| ("environment_texels", of));
-        self.tables.iter().map(|(name, of)| (*name, of)).chain(lights).chain(texels)
+        self.tables.iter().map(|(name, of)| (*name, of))
+    }
+
+    /// The lights of a kind without extent, by the name by which shaders know them; nothing for
+    /// others.
+    pub fn exact_lights(&self, kind: LightKind) -> Vec<Named<'_>> {
+        let lights = self.light_tables.iter().filter(|(other, _)| *other == kind);
+        lights.map(|(_, table)| ("lights", table)).collect()
     }
 
     /// Bytes of the scene's tables on the device.
     pub fn table_bytes(&self) -> u64 {
         let lights = self.light_tables.iter().map(|(_, buffer)| buffer);
         let tables = self.tables.iter().map(|(_, buffer)| buffer).chain(lights);
-        let buffers = tables.chain(&self.environment_texels).map(wgpu::Buffer::size);
+        let buffers = tables.map(wgpu::Buffer::size);
         buffers.chain(self.textures.iter().map(|texture| texture.bytes)).sum()
     }
 
@@ -110,6 +103,26 @@ impl Prepared {
     pub fn left_out(&self) -> Vec<&'static str> {
         self.kernels.left_out()
     }
+}
+
+/// The tables of the scene that are in textures.
+///
+/// # Errors
+/// They do not fit.
+fn textures(gpu: &Gpu, plan: &Plan) -> Result<Vec<Texture>, GpuError> {
+    let mut textures = match &plan.wide {
+        Some(wide) => tables::of_packets(gpu, &plan.bvh, wide)?,
+        None => Vec::new(),
+    };
+    for kind in plan.kinds_with_tables() {
+        textures.extend(plan.lights.upload_extended(gpu, kind)?);
+    }
+    if let (Some(Environment { image: Some(image), .. }), true) =
+        (&plan.scene.environment, plan.features.sky.shines())
+    {
+        textures.push(gpu.texture_of("environment_texels", &image.texels)?);
+    }
+    Ok(textures)
 }
 
 impl Deref for Prepared {

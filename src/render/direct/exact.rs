@@ -30,8 +30,7 @@ impl<'a> ExactLight<'a> {
         named: &[Named<'_>],
     ) -> Result<Self, GpuError> {
         let FrameSetup { prepared, settings, seed, .. } = *setup;
-        let lights = prepared.light_tables.iter().filter(|(other, _)| *other == kind);
-        let lights: Vec<Named<'_>> = lights.map(|(_, table)| ("lights", table)).collect();
+        let lights = prepared.exact_lights(kind);
         let program = prepared.direct_exact_program(kind);
         let stage = Stage::new(prepared, &program, &[&lights[..], named].concat())?;
         let count = prepared.lights.count(kind);

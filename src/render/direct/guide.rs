@@ -25,7 +25,7 @@ pub struct Guide<'a> {
 }
 
 impl<'a> Guide<'a> {
-    /// For the tiles of a frame and these strata of the lights of some kinds, which are bound by name.
+    /// For the tiles of a frame and the strata of the lights of some kinds, with their table.
     ///
     /// # Errors
     /// The device refuses.
@@ -33,6 +33,7 @@ impl<'a> Guide<'a> {
         setup: &FrameSetup<'a>,
         kinds: &[LightKind],
         strata: &LightStrata,
+        strata_table: &Texture,
         named: &[Named<'_>],
     ) -> Result<Self, GpuError> {
         let FrameSetup { prepared, seed, tiling, .. } = *setup;
@@ -42,7 +43,8 @@ impl<'a> Guide<'a> {
         let unshadowed_light = prepared.gpu.storage::<f32>("unshadowed light", entries)?;
         let named = [&[("unshadowed", &unshadowed_light)], named].concat();
         let bind = |program, textures: &[NamedTexture<'_>]| {
-            Stage::with_textures(prepared, program, &named, textures)
+            let textures = [&[("light_strata", strata_table)], textures].concat();
+            Stage::with_textures(prepared, program, &named, &textures)
         };
         let [unshadowed, pilot, guide] = prepared.direct_guide_programs(kinds);
         Ok(Self {

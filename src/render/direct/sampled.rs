@@ -42,14 +42,14 @@ impl<'a> SampledLight<'a> {
         let FrameSetup { prepared, settings, seed, .. } = *setup;
         let is_guided = settings.few_light_samples();
         let strata = prepared.lights.strata(kinds, is_guided);
-        let table = prepared.gpu.storage_of("strata of the lights", &strata.records)?;
-        let named = [&[("light_strata", &table)], named].concat();
-        let guide = is_guided.then(|| Guide::new(setup, kinds, &strata, &named)).transpose()?;
+        let table = prepared.gpu.texture_of("light_strata", &strata.records)?;
+        let guide =
+            is_guided.then(|| Guide::new(setup, kinds, &strata, &table, named)).transpose()?;
         let rays = settings.light_samples_per_point();
         let filter = settings.filters_direct();
         let filter =
-            filter.then(|| DirectFilter::new(setup, rays, irradiance, &named)).transpose()?;
-        let mut named = named;
+            filter.then(|| DirectFilter::new(setup, rays, irradiance, named)).transpose()?;
+        let mut named = named.to_vec();
         named.extend(filter.iter().map(|filter| ("ray_counts", &filter.ray_counts)));
         let params = DirectParams {
             lights: strata.records.len() as u32,
@@ -64,7 +64,8 @@ impl<'a> SampledLight<'a> {
             ..bytemuck::Zeroable::zeroed()
         };
         let samples = prepared.direct_sampled_program(kinds, settings);
-        let textures: Vec<_> = guide.iter().map(|guide| ("guide", &guide.table)).collect();
+        let mut textures = vec![("light_strata", &table)];
+        textures.extend(guide.iter().map(|guide| ("guide", &guide.table)));
         Ok(Self {
             stage: Stage::with_textures(prepared, &samples, &named, &textures)?,
             // Where pixels have few like neighbours, they take more.

@@ -4,7 +4,7 @@ use super::catalogue::{
     AREA_LIGHT, AREA_LIGHT_NONE, DIRECTIONAL_LIGHT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT,
     ENVIRONMENT_IMAGE, ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, ENVIRONMENT_LIGHT_NONE,
     HEMISPHERE, LIGHT_SAMPLE, LIGHT_STRATA, LOCAL_LIGHT, ONLY_AREA, ONLY_ENVIRONMENT, ONLY_SPHERE,
-    POINT_LIGHT, SEVERAL_KINDS, SPHERE_CONE, SPHERE_LIGHT, SPHERE_LIGHT_NONE, SPOT_LIGHT,
+    POINT_LIGHT, SEVERAL_KINDS, SPHERE_CONE, SPHERE_LIGHT, SPHERE_LIGHT_NONE, SPOT_LIGHT, TABLE,
     TRIANGLE_AREA,
 };
 use super::materials::light_emission_scale;
@@ -42,7 +42,7 @@ pub fn light_strata(
             }
             kind => lights_of(target, *kind),
         };
-        modules.push(&LIGHT_STRATA);
+        modules.extend([&TABLE, &LIGHT_STRATA]);
         return modules;
     }
     let has = |kind| kinds.contains(&kind);
@@ -59,24 +59,25 @@ pub fn light_strata(
         true => modules.extend(environment(target)),
         false => modules.push(&ENVIRONMENT_LIGHT_NONE),
     }
-    modules.push(&SEVERAL_KINDS);
-    modules.push(&LIGHT_STRATA);
+    modules.extend([&SEVERAL_KINDS, &TABLE, &LIGHT_STRATA]);
     modules
 }
 
-static SPHERE_LIGHTS: [&Module; 3] = [&HEMISPHERE, &SPHERE_CONE, &SPHERE_LIGHT];
+static SPHERE_LIGHTS: [&Module; 4] = [&HEMISPHERE, &TABLE, &SPHERE_CONE, &SPHERE_LIGHT];
 
 /// Emitting triangles.
 fn area_lights(target: Target, place: &'static Module) -> Vec<&'static Module> {
     let mut modules = light_emission_scale(target.features);
-    modules.extend([&AREA_LIGHT, place]);
+    modules.extend([&TABLE, &AREA_LIGHT, place]);
     modules
 }
 
 /// The environment.
 fn environment(target: Target) -> Vec<&'static Module> {
     match target.features.sky {
-        Sky::Image => vec![&ENVIRONMENT_IMAGE, &ENVIRONMENT_CELLS, &ENVIRONMENT_LIGHT_IMAGE],
+        Sky::Image => {
+            vec![&TABLE, &ENVIRONMENT_IMAGE, &ENVIRONMENT_CELLS, &ENVIRONMENT_LIGHT_IMAGE]
+        }
         _ => vec![&HEMISPHERE, &ENVIRONMENT_CONSTANT, &ENVIRONMENT_LIGHT_CONSTANT],
     }
 }
@@ -86,7 +87,7 @@ pub fn sky(target: Target) -> Option<Vec<&'static Module>> {
     match target.features.sky {
         Sky::None => None,
         Sky::Constant => Some(vec![&ENVIRONMENT_CONSTANT]),
-        Sky::Image => Some(vec![&ENVIRONMENT_IMAGE]),
+        Sky::Image => Some(vec![&TABLE, &ENVIRONMENT_IMAGE]),
     }
 }
 

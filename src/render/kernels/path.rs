@@ -7,7 +7,7 @@ use super::catalogue::{
     PATH_COMPACT, PATH_CONTRIBUTION, PATH_COUNT, PATH_EMISSION, PATH_EMISSION_ANY,
     PATH_EMISSION_NONE, PATH_EXACT, PATH_FOLLOW, PATH_FOUND, PATH_LIGHT, PATH_PARAMS, PATH_RANDOM,
     PATH_SAMPLED, PATH_SEGMENT, PATH_STATE, PATH_SUM, RAY_OFFSET, ROULETTE, ROULETTE_NONE,
-    SAMPLING, SPHERE_CONE, THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_DIRECTION,
+    SAMPLING, SPHERE_CONE, TABLE, THROUGHPUT_NONE, THROUGHPUT_PATH, TYPES, VIEW_DIRECTION,
 };
 use super::lights::{has_kind, lights_of, sky};
 use super::materials::{albedo, emission_scale, scatter, store_attributes};
@@ -100,7 +100,12 @@ pub fn segments(target: Target, bounces: Bounces, areas: bool) -> Vec<&'static M
         Sky::None => last.push(&PATH_BACKGROUND_NONE),
         Sky::Constant => last.extend([&ENVIRONMENT_CONSTANT, &PATH_BACKGROUND]),
         Sky::Image => {
-            last.extend([&ENVIRONMENT_IMAGE, &ENVIRONMENT_CELLS, &PATH_BACKGROUND_WEIGHTED]);
+            last.extend([
+                &TABLE,
+                &ENVIRONMENT_IMAGE,
+                &ENVIRONMENT_CELLS,
+                &PATH_BACKGROUND_WEIGHTED,
+            ]);
         }
     }
     last

@@ -77,11 +77,11 @@ pub fn next_event(
     program: &dyn Fn(LightKind) -> Option<Program>,
 ) -> Result<Vec<(Stage, u32)>, GpuError> {
     let mut stages = Vec::new();
-    for (kind, table) in &prepared.light_tables {
-        if let Some(program) = program(*kind) {
-            let named = [named, &[("lights", table)]].concat();
+    for kind in prepared.kinds_with_tables() {
+        if let Some(program) = program(kind) {
+            let named = [&prepared.exact_lights(kind)[..], named].concat();
             let stage = Stage::new(prepared, &program, &named)?;
-            stages.push((stage, prepared.lights.count(*kind)));
+            stages.push((stage, prepared.lights.count(kind)));
         }
     }
     Ok(stages)

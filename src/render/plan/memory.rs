@@ -23,6 +23,10 @@ pub fn tables(
     fn of<T>(count: usize) -> u64 {
         (count.max(1) * size_of::<T>()) as u64
     }
+    // In a texture, their number in a texel before.
+    fn counted<T>(count: usize) -> u64 {
+        Texture::bytes_of::<u8>(16 + count * size_of::<T>())
+    }
     let materials = scene.materials.len();
     let mut tables = vec![
         ("BVH nodes", of::<NodeRecord>(bvh.nodes.len())),
@@ -58,17 +62,19 @@ pub fn tables(
             let count = lights.directional.records.len();
             ("directional lights", of::<DirectionalLightRecord>(count))
         }
-        LightKind::Area => ("area lights", of::<AreaLightRecord>(lights.area.records.len())),
+        LightKind::Area => ("area lights", counted::<AreaLightRecord>(lights.area.records.len())),
         LightKind::Sphere => {
-            ("sphere lights", of::<SphereLightRecord>(lights.sphere.records.len()))
+            ("sphere lights", counted::<SphereLightRecord>(lights.sphere.records.len()))
         }
         LightKind::Environment => {
             let words = lights.environment.as_ref().map_or(0, |light| light.words().len());
-            ("environment", of::<u32>(words))
+            ("environment", Texture::bytes_of::<u32>(words))
         }
     }));
     let image = scene.environment.as_ref().and_then(|environment| environment.image.as_ref());
-    tables.extend(image.map(|image| ("environment image", of::<u32>(image.texels.len()))));
+    tables.extend(
+        image.map(|image| ("environment image", Texture::bytes_of::<u32>(image.texels.len()))),
+    );
     tables
 }
 
