@@ -104,12 +104,13 @@ fn main(
         let of_small = arriving(counted(small, GROUP), of_large);
         for (var stratum = small; stratum < min(small + GROUP, end); stratum++) {
             // Of light that arrives with a probability, the variance is least if samples are drawn
-            // by its root.
-            let share = sqrt(arriving(counted(stratum, 1u), of_small));
-            // What is not drawn from gives nothing.
-            let light = select(0.0, unshadowed[row + stratum], is_drawn(stratum, is_open));
+            // by its root. What is not drawn from gives nothing: should the rounding of sums leave it
+            // some probability, what is drawn counts for nothing.
+            let is = is_drawn(stratum, is_open);
+            let share = select(0.0, sqrt(arriving(counted(stratum, 1u), of_small)), is);
+            let light = select(0.0, unshadowed[row + stratum], is);
             drawn[stratum] = vec2f(light, share);
-            given += vec3f(light * vec2f(1.0, share), f32(is_drawn(stratum, is_open)));
+            given += vec3f(light * vec2f(1.0, share), f32(is));
         }
     }
     // In place of the sums, what is before each.
