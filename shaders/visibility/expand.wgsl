@@ -1,25 +1,33 @@
 // From who sees which VPL cluster to who sees which VPL: a VPL has the bit of its cluster.
 
-struct ExpandParams {
-    rows: u32,
-    matrix_word: u32,
-    words: u32,
-    pad: u32,
+// Four rows a texel: word by word of 32 clusters.
+@group(0) @binding(13) var column_bits: texture_2d<u32>;
+// The cluster of each VPL, four a texel.
+@group(0) @binding(14) var column_of: texture_2d<u32>;
+
+// What four rows see of a cluster.
+fn seen_of(column: u32, quad: u32) -> vec4u {
+    let at = (column / 32u) * ((params.rows + 3u) / 4u) + quad;
+    let words = textureLoad(column_bits, table_place(at), 0);
+    return (words >> vec4u(column % 32u)) & vec4u(1u);
 }
 
-@group(0) @binding(0) var<storage, read> params: ExpandParams;
-@group(0) @binding(6) var<storage, read_write> bits: array<u32>;
-@group(0) @binding(13) var<storage, read> column_bits: array<u32>;
-@group(0) @binding(14) var<storage, read> column_of: array<u32>;
-
+// An invocation has four rows.
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-    if id.x >= params.rows { return; }
-    var seen = 0u;
-    for (var i = 0u; i < 32u; i++) {
-        let column = column_of[32u * (params.matrix_word + id.y) + i];
-        let word = column_bits[(column / 32u) * params.rows + id.x];
-        seen |= ((word >> (column % 32u)) & 1u) << i;
+    let row = 4u * id.x;
+    if row >= params.rows { return; }
+    var seen = vec4u(0u);
+    for (var i = 0u; i < 8u; i++) {
+        let at = 8u * (params.matrix_word + id.y) + i;
+        let columns = textureLoad(column_of, table_place(at), 0);
+        seen |= seen_of(columns.x, id.x) << vec4u(4u * i);
+        seen |= seen_of(columns.y, id.x) << vec4u(4u * i + 1u);
+        seen |= seen_of(columns.z, id.x) << vec4u(4u * i + 2u);
+        seen |= seen_of(columns.w, id.x) << vec4u(4u * i + 3u);
     }
-    bits[id.y * params.rows + id.x] = seen;
+    let first = id.y * params.rows + row;
+    let last = first + params.rows - row - 1u;
+    // What is beyond the last row goes to it first, and is then overwritten.
+    for (var i = 4u; i > 0u; i--) { bits[min(first + i - 1u, last)] = seen[i - 1u]; }
 }

@@ -29,11 +29,11 @@ pub use gather::{
 use lights::has_kind;
 use literals::Literals;
 pub use trace::{Tracing, shapes};
-pub use visibility::{Emitter, expand, rays_at_once, visibility};
+pub use visibility::{Emitter, expand, pack_columns, rays_at_once, visibility};
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![expand(), split_subsets(), guide()];
+    let mut programs = vec![expand(), pack_columns(), split_subsets(), guide()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             // Literals are of triangles alone.

@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use super::interleave::Subsets;
-use crate::gpu::{ExpandParams, GpuError, ShadeParams, VisibilityParams};
+use crate::gpu::{ExpandParams, GpuError, ShadeParams, TableFormat, Texture, VisibilityParams};
 use crate::render::clusters::PointClusters;
 use crate::render::kernels;
 use crate::render::prepared::Prepared;
@@ -60,12 +60,23 @@ pub struct Gather<'a> {
     lights: LightSet,
     rows: Rows,
     /// Traces the columns that VPLs share, if they do.
-    columns: Option<Stage>,
+    columns: Option<Columns>,
     /// One for each chunk of clusters' rows; one that is used again for points'.
     chunks: Vec<Chunk>,
     /// Words of each of them, at most.
     chunk_words: u32,
     tracer: Tracer<'a>,
+}
+
+/// The columns of the bit matrix that VPLs share.
+#[derive(Debug)]
+struct Columns {
+    /// Traces them.
+    trace: Stage,
+    /// Packs them into the table.
+    pack: Stage,
+    /// What rows see of them.
+    table: Texture,
 }
 
 /// The chunks of the bit matrix, in order.
@@ -139,18 +150,25 @@ impl<'a> Gather<'a> {
             (Some(columns), Some(bits)) => {
                 let buffers = [("vpls", &columns.buffer), ("bits", bits)];
                 let buffers = [&tracing[..], &buffers, &common].concat();
-                Some(tracer.stage(lights.emitter, &buffers)?)
+                let texels = rows_count.div_ceil(4) as usize * columns.words as usize;
+                let table = gpu.table("visibility of clusters", texels, TableFormat::Quadruples)?;
+                let packed = [("packed_columns", &table)];
+                let pack = kernels::pack_columns();
+                Some(Columns {
+                    trace: tracer.stage(lights.emitter, &buffers)?,
+                    pack: Stage::with_textures(prepared, &pack, &[("bits", bits)], &packed)?,
+                    table,
+                })
             }
             _ => None,
         };
         let chunk = |words: u32| {
             let bits = matrix(words)?;
             let bits = ("bits", &bits);
-            let fill = match (&lights.columns, &column_bits) {
-                (Some(columns), Some(column_bits)) => {
-                    let of_vpls = ("column_of", &columns.of_vpls);
-                    let buffers = [bits, ("column_bits", column_bits), of_vpls];
-                    Stage::new(prepared, &kernels::expand(), &buffers)?
+            let fill = match (&lights.columns, &columns) {
+                (Some(of), Some(columns)) => {
+                    let textures = [("column_bits", &columns.table), ("column_of", &of.of_vpls)];
+                    Stage::with_textures(prepared, &kernels::expand(), &[bits], &textures)?
                 }
                 _ => {
                     let buffers = [&tracing[..], &[bits], &common].concat();
@@ -274,11 +292,15 @@ impl<'a> Gather<'a> {
         phases: &mut Phases,
         progress: &dyn Fn(f64),
     ) -> Result<u64, GpuError> {
-        let (Some(stage), Some(columns)) = (&self.columns, &self.lights.columns) else {
+        let (Some(stages), Some(columns)) = (&self.columns, &self.lights.columns) else {
             return Ok(0);
         };
         let params = self.tracer.params(rows, 0, columns.words);
-        self.tracer.trace(stage, params, columns.words, phases, progress)
+        let rays = self.tracer.trace(&stages.trace, params, columns.words, phases, progress)?;
+        let params = ExpandParams { rows, matrix_word: 0, words: columns.words, pad: 0 };
+        let groups = [rows.div_ceil(4 * 64), columns.words];
+        phases.visibility += stages.pack.run(self.prepared, &params, groups)?;
+        Ok(rays)
     }
 
     /// Writes the bits of a chunk: traces them, or copies them from the columns.
@@ -295,7 +317,8 @@ impl<'a> Gather<'a> {
         }
         let Run { first_word: matrix_word, words, .. } = run;
         let params = ExpandParams { rows: params.rows, matrix_word, words, pad: 0 };
-        let groups = [params.rows.div_ceil(64), words];
+        // An invocation has four rows.
+        let groups = [params.rows.div_ceil(4 * 64), words];
         phases.visibility += chunk.fill.run(self.prepared, &params, groups)?;
         Ok(0)
     }

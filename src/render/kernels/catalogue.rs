@@ -152,6 +152,8 @@ modules! {
     BLOCKER_ANY = "trace/blocker_any";
     VISIBILITY_PACKET = "visibility/packet" for "gathering of lights";
     VISIBILITY_LITERALS = "visibility/literals" for "triangles as literals";
+    EXPAND_PARAMS = "visibility/expand_params" for "visibility shared by VPL clusters";
+    PACK_COLUMNS = "visibility/pack_columns" for "visibility shared by VPL clusters";
     EXPAND = "visibility/expand" for "visibility shared by VPL clusters";
     SUBSETS = "gather/subsets" for "interleaved sampling";
     SPLIT_SUBSETS = "gather/split_subsets" for "interleaved sampling";

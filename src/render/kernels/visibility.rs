@@ -1,8 +1,8 @@
 //! The programs of shadow rays between points and many lights: VPLs, or places on light sources.
 
 use super::catalogue::{
-    BITS, EMITTER_POINT, EMITTER_SURFACE, EXPAND, RAY, TYPES, VIEW_DIRECTION, VPL_DIFFUSE,
-    VPL_GLOSSY,
+    BITS, EMITTER_POINT, EMITTER_SURFACE, EXPAND, EXPAND_PARAMS, PACK_COLUMNS, RAY, TABLE, TYPES,
+    VIEW_DIRECTION, VPL_DIFFUSE, VPL_GLOSSY,
 };
 use super::trace::{Tracing, blockers, shapes};
 use crate::gpu::{Module, Program};
@@ -72,5 +72,10 @@ pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program
 
 /// Visibility of VPLs from that of their clusters.
 pub fn expand() -> Program {
-    Program::new("expansion", vec![&EXPAND])
+    Program::new("expansion", vec![&TABLE, &EXPAND_PARAMS, &EXPAND])
+}
+
+/// Visibility of VPL clusters, packed for that.
+pub fn pack_columns() -> Program {
+    Program::new("expansion, packing", vec![&TABLE, &EXPAND_PARAMS, &PACK_COLUMNS])
 }

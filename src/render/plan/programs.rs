@@ -4,8 +4,8 @@ use super::Plan;
 use crate::gpu::Program;
 use crate::render::kernels::{
     self, Emitter, LightRays, antialias, background, clamped_energy, compensation,
-    discontinuity_buffer, emit, expand, join_subsets, path, reflect, resolve, shade, show,
-    split_subsets, visible_points,
+    discontinuity_buffer, emit, expand, join_subsets, pack_columns, path, reflect, resolve, shade,
+    show, split_subsets, visible_points,
 };
 use crate::render::lights::LightKind;
 use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
@@ -46,7 +46,9 @@ impl Plan {
             ]);
             let combined = settings.compensates() && settings.interleaves();
             programs.extend(bounded.then(|| clamped_energy(target, combined)));
-            programs.extend(settings.shares_columns().then(expand));
+            if settings.shares_columns() {
+                programs.extend([pack_columns(), expand()]);
+            }
             if settings.interleaves() {
                 programs.extend([
                     split_subsets(),

@@ -3,7 +3,7 @@
 use bytemuck::Zeroable;
 use glam::Vec3;
 
-use crate::gpu::{GlossyVplRecord, GpuError, VplRecord};
+use crate::gpu::{GlossyVplRecord, GpuError, Texture, VplRecord};
 use crate::render::clusters::{VplClusters, morton};
 use crate::render::kernels::Emitter;
 use crate::render::prepared::Prepared;
@@ -36,7 +36,7 @@ pub struct Columns {
     /// What shadow rays are traced to, filled up to whole words.
     pub buffer: wgpu::Buffer,
     /// The cluster of each VPL, filled up to whole words.
-    pub of_vpls: wgpu::Buffer,
+    pub of_vpls: Texture,
 }
 
 /// The name by which shaders know lights that points gather.
@@ -106,7 +106,7 @@ impl Columns {
         Ok(Self {
             words: (order.len() / 32) as u32,
             buffer: upload(prepared, "VPL clusters", &clusters.lights, &order, 1.0)?,
-            of_vpls: prepared.gpu.storage_of("clusters of VPLs", &of_vpls)?,
+            of_vpls: prepared.gpu.texture_of("column_of", &of_vpls)?,
         })
     }
 }
