@@ -1,7 +1,7 @@
 // The surfaces that the pixels of a tile see.
 
 // In the order of pixels: where they are, and the code of surface_plain.wgsl or surface_lobed.wgsl.
-@group(0) @binding(92) var surfaces: texture_2d<u32>;
+@group(0) @binding(92) var surface_table: texture_2d<u32>;
 
 struct Surface {
     position: vec3f,
@@ -14,7 +14,7 @@ struct Surface {
 fn surface_at(pixel: vec2i) -> Surface {
     let is = all(pixel >= vec2i(0)) && all(pixel < vec2i(i32(params.width), i32(params.height)));
     let at = place_of(vec2u(select(vec2i(0), pixel, is)));
-    let packed = textureLoad(surfaces, table_place(at), 0);
+    let packed = textureLoad(surface_table, table_place(at), 0);
     let normal = select(vec3f(0.0), normal_of_code(packed.w), is);
     return Surface(bitcast<vec3f>(packed.xyz), normal, packed.w);
 }

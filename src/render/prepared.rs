@@ -10,7 +10,6 @@ use std::time::{Duration, Instant};
 use super::lights::LightKind;
 use super::plan::Plan;
 use super::settings::Settings;
-use super::stage::Named;
 use crate::gpu::{Gpu, GpuError, Kernel, Program, Texture};
 use crate::scene::{Environment, Scene};
 use compiled::CompiledKernels;
@@ -86,7 +85,7 @@ impl Prepared {
 
     /// The lights of a kind without extent, by the name by which shaders know them; nothing for
     /// others.
-    pub fn exact_lights(&self, kind: LightKind) -> Vec<Named<'_>> {
+    pub fn exact_lights(&self, kind: LightKind) -> Vec<(&str, &wgpu::Buffer)> {
         let lights = self.light_tables.iter().filter(|(other, _)| *other == kind);
         lights.map(|(_, table)| ("lights", table)).collect()
     }

@@ -47,9 +47,18 @@ fn found<'a>(programs: &[Program], words: &[&'a str]) -> BTreeSet<&'a str> {
         text.extend(lines.flat_map(|line| [line, "\n"]));
         text.extend(linked.bindings.iter().flat_map(|(name, _)| [name.as_str(), "\n"]));
     }
-    // Directions are drawn from hemispheres everywhere, and whatever traces rays is told the number
-    // of nodes.
-    let harmless = ["hemisphere", "node_count", "params.nodes", "nodes: u32"];
+    // Directions are drawn from hemispheres everywhere, whatever traces rays is told the number of
+    // nodes, and tables of all kinds are in textures.
+    let harmless = [
+        "hemisphere",
+        "node_count",
+        "params.nodes",
+        "nodes: u32",
+        "texture_2d",
+        "texture_storage_2d",
+        "textureload",
+        "texturestore",
+    ];
     let lean = |text: String, word: &&str| text.replace(*word, "");
     let text = harmless.iter().fold(text.to_lowercase(), lean);
     words.iter().copied().filter(|word| text.contains(word)).collect()
