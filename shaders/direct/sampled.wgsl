@@ -11,11 +11,20 @@
 // Egbert, "Importance Resampling for Global Illumination", EGSR 2005.
 struct Drawn {
     light: LightSample,
+    // The stratum that it is of.
+    stratum: u32,
     // By which its irradiance is multiplied.
     weight: f32,
 }
 
-fn draw_light(point: Point, row: u32, place: u32, all: u32, stream: u32) -> Drawn {
+fn draw_light(
+    point: Point,
+    receiver: LightReceiver,
+    row: u32,
+    place: u32,
+    all: u32,
+    stream: u32,
+) -> Drawn {
     var drawn: Drawn;
     var sum = 0.0;
     // One number decides all: what is left of it after a choice is uniform again.
@@ -26,12 +35,12 @@ fn draw_light(point: Point, row: u32, place: u32, all: u32, stream: u32) -> Draw
         let choice = choose_stratum(row, params.lights, u.x);
         let light =
             sample_stratum(choice.stratum, point, vec2f(choice.rest, u.y), params.offset);
-        let gives = given(light) * arriving_share[row + choice.stratum];
+        let gives = given_to(receiver, light, choice.stratum) * arriving_share[row + choice.stratum];
         let weight = gives / choice.probability;
         sum += weight;
         let share = select(0.0, weight / sum, weight > 0.0);
         if decides < share {
-            drawn = Drawn(light, 1.0 / (light.density * gives));
+            drawn = Drawn(light, choice.stratum, 1.0 / (light.density * gives));
             decides = decides / share;
         } else {
             decides = (decides - share) / max(1.0 - share, 1e-7);
@@ -53,6 +62,7 @@ fn main(
     let origin = offset_position(point, params.offset);
     let stream = hash(hash(params.first_block * 64u + id.x) + params.seed);
     let row = index / 64u * params.lights;
+    let receiver = light_receiver(point);
     let rays = rays_of(index);
     let halves = min(rays, params.halves);
     var sum = Gathered();
@@ -64,13 +74,13 @@ fn main(
         let own = (rays + halves - 1u - half) / halves;
         let all = own * params.samples;
         let place = ray / halves * params.samples + params.sample;
-        let drawn = draw_light(point, row, place, all, hash(stream + half));
+        let drawn = draw_light(point, receiver, row, place, all, hash(stream + half));
         let light = drawn.light;
         let limit = select(0.0, light.limit, wanted && drawn.weight > 0.0);
         let hit = traverse(origin, light.toward, limit, params.nodes, true, invocation);
         if limit > 0.0 && hit.triangle == NOTHING {
             let weight = light.geometry * drawn.weight / f32(own * halves);
-            let arrived = arriving(point, normalize(light.toward), light.radiance * weight);
+            let arrived = sample_arriving(point, receiver, light, drawn.stratum, light.radiance * weight);
             sum += with_half_difference(arrived, select(0.5, -0.5, half == 1u) * f32(halves));
         }
     }

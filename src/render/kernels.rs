@@ -20,8 +20,8 @@ use crate::gpu::{Program, TriangleRecord};
 pub use camera::{antialias, background, emit, resolve, show, visible_points};
 pub use catalogue::{CATALOGUE, features_of, features_without};
 pub use direct::{
-    direct_exact, direct_sampled, filter_guide, filter_level, guide, guide_pilot, guide_unshadowed,
-    pack_surfaces, ray_counts,
+    direct_exact, direct_lobe_rays, direct_sampled, filter_guide, filter_level, guide, guide_pilot,
+    guide_unshadowed, pack_surfaces, ray_counts,
 };
 pub use gather::{
     clamped_energy, discontinuity_buffer, join_subsets, reflect, shade, split_subsets,
@@ -61,7 +61,10 @@ pub fn all_programs() -> Vec<Program> {
         for kinds in some {
             for near in [false, true] {
                 let counted = [false, true].into_iter();
-                programs.extend(counted.map(|is| direct_sampled(target, kinds, near, is)));
+                for counted in counted {
+                    programs.push(direct_sampled(target, kinds, near, counted));
+                    programs.extend(direct_lobe_rays(target, kinds, counted));
+                }
                 programs.push(guide_unshadowed(target, kinds, near));
                 programs.push(guide_pilot(target, kinds, near));
             }

@@ -141,6 +141,18 @@ impl Lights {
         if power > 0.0 { (4.0 * PI * PI / power) as f32 } else { 0.0 }
     }
 
+    /// The densities with which light samples of these kinds are taken to be drawn, see
+    /// `shaders/direct/params.wgsl`: of area lights, of emitting spheres and of the environment.
+    pub fn densities(&self, kinds: &[LightKind]) -> [f32; 3] {
+        let sky = |light: &EnvironmentLight| 1.0 / light.radiance_integral as f32;
+        [
+            (LightKind::Area, self.area_density()),
+            (LightKind::Sphere, self.solid_density()),
+            (LightKind::Environment, self.environment.as_ref().map_or(0.0, sky)),
+        ]
+        .map(|(kind, density)| if kinds.contains(&kind) { density } else { 0.0 })
+    }
+
     /// The strata of the lights of these kinds, which have some extent: many to be guided by, or one a
     /// kind.
     pub fn strata(&self, kinds: &[LightKind], guided: bool) -> LightStrata {

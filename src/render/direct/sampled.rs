@@ -27,6 +27,8 @@ pub struct SampledLight<'a> {
     is_guided: bool,
     filter: Option<DirectFilter<'a>>,
     stage: Stage,
+    /// Rays by the lobes of glossy surfaces.
+    lobes: Option<Stage>,
 }
 
 impl<'a> SampledLight<'a> {
@@ -57,7 +59,11 @@ impl<'a> SampledLight<'a> {
             filter.then(|| DirectFilter::new(setup, rays, irradiance, &named)).transpose()?;
         let mut named = [&guide.named()[..], &named].concat();
         named.extend(filter.iter().map(|filter| ("ray_counts", &filter.ray_counts)));
+        let [area_density, solid_density, sky_density] = prepared.lights.densities(kinds);
         let params = DirectParams {
+            area_density,
+            solid_density,
+            sky_density,
             lights: strata.records.len() as u32,
             rays,
             candidates: candidates(prepared, is_guided),
@@ -71,6 +77,10 @@ impl<'a> SampledLight<'a> {
         };
         Ok(Self {
             stage: Stage::new(prepared, &samples, &named)?,
+            lobes: prepared
+                .direct_lobe_program(kinds, settings)
+                .map(|program| Stage::new(prepared, &program, &named))
+                .transpose()?,
             // Where pixels have few like neighbours, they take more.
             most_rays: if settings.counts_light_samples() { MOST_TIMES * rays } else { rays },
             prepared,
@@ -94,7 +104,9 @@ impl<'a> SampledLight<'a> {
             time += filter.count(tile)?;
         }
         for params in rays_of_dispatch(self.prepared, tile, self.params, self.most_rays) {
-            time += self.stage.run(self.prepared, &params, [tile.blocks, 1])?;
+            for stage in std::iter::once(&self.stage).chain(&self.lobes) {
+                time += stage.run(self.prepared, &params, [tile.blocks, 1])?;
+            }
         }
         if let Some(filter) = &self.filter {
             time += filter.combine(tile)?;

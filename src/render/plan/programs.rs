@@ -99,6 +99,7 @@ impl Plan {
         programs.extend(exact.into_iter().map(|kind| self.direct_exact_program(kind)));
         if !sampled.is_empty() {
             programs.extend(self.direct_sampled_programs(&sampled, settings));
+            programs.extend(self.direct_lobe_program(&sampled, settings));
             if settings.filters_direct() {
                 programs.extend(self.direct_filter_programs());
             }
@@ -126,6 +127,11 @@ impl Plan {
             kernels::guide(),
             kernels::direct_sampled(target, kinds, near, counted),
         ]
+    }
+
+    /// What rays by the lobes of glossy surfaces find of the lights of kinds that have some extent.
+    pub fn direct_lobe_program(&self, kinds: &[LightKind], settings: &Settings) -> Option<Program> {
+        kernels::direct_lobe_rays(self.target(), kinds, settings.counts_light_samples())
     }
 
     /// The filter of direct light: surfaces, counts of light samples, local means, a level.

@@ -1,0 +1,4 @@
+// The kinds of strata: see src/render/lights/strata.rs. All others are of the environment.
+
+const AREA_LIGHT = 0u;
+const SPHERE_LIGHT = 1u;
