@@ -14,7 +14,9 @@ fn main(
     let index = min(id.x, params.points - 1u);
     let point = points[index];
     let receiver = receiver_of(point);
-    let is = id.x < params.points && receiver.peak > 0.0;
+    let in_range = receiver.shininess >= params.least_shininess
+        && receiver.shininess < params.most_shininess;
+    let is = id.x < params.points && receiver.peak > 0.0 && in_range;
     let origin = offset_position(point, params.offset);
     let stream = hash(hash(params.first_block * 64u + id.x) + params.seed) ^ LOBE_STREAM;
     let rays = rays_of(index);

@@ -23,6 +23,12 @@ struct DirectParams {
     area_density: f32,
     solid_density: f32,
     sky_density: f32,
+    // Of the points that take most.
+    most_rays: u32,
+    // Lobes take rays whose exponent is at least the one and below the other.
+    least_shininess: f32,
+    most_shininess: f32,
+    pad: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: DirectParams;

@@ -3,6 +3,7 @@
 mod exact;
 mod filter;
 mod guide;
+mod lobes;
 mod sampled;
 
 use std::time::Duration;

@@ -5,6 +5,7 @@ mod common;
 
 mod closed_forms;
 mod environment;
+mod glossy;
 mod lights;
 mod sampling;
 mod sphere_lights;

@@ -111,7 +111,8 @@ fn records() -> Vec<Record> {
         }),
         record!(DirectParams as "DirectParams" {
             points, lights, first, count, seed, first_block, offset, nodes, sample, samples, rays,
-            candidates, halves, pad,
+            candidates, halves, area_density, solid_density, sky_density, most_rays,
+            least_shininess, most_shininess, pad,
         }),
         record!(FilterParams as "FilterParams" {
             width, height, step, last, tolerance, rays, pad,

@@ -79,6 +79,14 @@ pub struct DirectParams {
     /// The density, by solid angle, with which directions to the environment are, over the mean
     /// radiance there.
     pub sky_density: f32,
+    /// Rays of the points that take most of them.
+    pub most_rays: u32,
+    /// Lobes take rays whose exponent is at least this...
+    pub least_shininess: f32,
+    /// ... and below this.
+    pub most_shininess: f32,
+    /// Unused.
+    pub pad: u32,
 }
 
 /// Parameters of the filter of direct light.

@@ -38,6 +38,7 @@ impl<'a> ExactLight<'a> {
         let params = DirectParams {
             lights: count,
             rays: count,
+            most_rays: count,
             samples: settings.samples,
             seed: hash(seed),
             offset: SURFACE_OFFSET,
@@ -52,7 +53,7 @@ impl<'a> ExactLight<'a> {
     /// # Errors
     /// The device fails.
     pub fn gather(&self, tile: Tile) -> Result<Duration, GpuError> {
-        rays_of_dispatch(self.prepared, tile, self.params, self.params.rays)
+        rays_of_dispatch(self.prepared, tile, self.params)
             .map(|params| self.stage.run(self.prepared, &params, [tile.blocks, 1]))
             .sum()
     }

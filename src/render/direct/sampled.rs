@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::filter::DirectFilter;
 use super::guide::Guide;
+use super::lobes::LobeRays;
 use crate::gpu::{DirectParams, GpuError};
 use crate::render::camera::{FrameSetup, Tile};
 use crate::render::kernels::rays_at_once;
@@ -22,13 +23,12 @@ pub struct SampledLight<'a> {
     prepared: &'a Prepared,
     /// What all tiles share.
     params: DirectParams,
-    most_rays: u32,
     guide: Guide<'a>,
     is_guided: bool,
     filter: Option<DirectFilter<'a>>,
     stage: Stage,
     /// Rays by the lobes of glossy surfaces.
-    lobes: Option<Stage>,
+    lobes: Option<LobeRays<'a>>,
 }
 
 impl<'a> SampledLight<'a> {
@@ -66,6 +66,8 @@ impl<'a> SampledLight<'a> {
             sky_density,
             lights: strata.records.len() as u32,
             rays,
+            // Where pixels have few like neighbours, they take more.
+            most_rays: if settings.counts_light_samples() { MOST_TIMES * rays } else { rays },
             candidates: candidates(prepared, is_guided),
             // The difference of two halves is what the filter takes the noise for.
             halves: if filter.is_some() { 2 } else { 1 },
@@ -77,12 +79,7 @@ impl<'a> SampledLight<'a> {
         };
         Ok(Self {
             stage: Stage::new(prepared, &samples, &named)?,
-            lobes: prepared
-                .direct_lobe_program(kinds, settings)
-                .map(|program| Stage::new(prepared, &program, &named))
-                .transpose()?,
-            // Where pixels have few like neighbours, they take more.
-            most_rays: if settings.counts_light_samples() { MOST_TIMES * rays } else { rays },
+            lobes: LobeRays::new(setup, kinds, &named)?,
             prepared,
             params,
             guide,
@@ -103,13 +100,17 @@ impl<'a> SampledLight<'a> {
         if let Some(filter) = &self.filter {
             time += filter.count(tile)?;
         }
-        for params in rays_of_dispatch(self.prepared, tile, self.params, self.most_rays) {
-            for stage in std::iter::once(&self.stage).chain(&self.lobes) {
-                time += stage.run(self.prepared, &params, [tile.blocks, 1])?;
-            }
+        for params in rays_of_dispatch(self.prepared, tile, self.params) {
+            time += self.stage.run(self.prepared, &params, [tile.blocks, 1])?;
+        }
+        if let Some(lobes) = &self.lobes {
+            time += lobes.gather_wide(tile, self.params)?;
         }
         if let Some(filter) = &self.filter {
             time += filter.combine(tile)?;
+        }
+        if let Some(lobes) = &self.lobes {
+            time += lobes.gather_narrow(tile, self.params)?;
         }
         Ok(time)
     }
@@ -120,14 +121,13 @@ pub fn rays_of_dispatch(
     prepared: &Prepared,
     tile: Tile,
     params: DirectParams,
-    rays: u32,
 ) -> impl Iterator<Item = DirectParams> {
     let most = rays_at_once(prepared.bvh.nodes.len());
     let slice = (dispatch_rays(prepared) / tile.points()).clamp(1, most);
-    (0..rays).step_by(slice as usize).map(move |first| DirectParams {
+    (0..params.most_rays).step_by(slice as usize).map(move |first| DirectParams {
         points: tile.points(),
         first,
-        count: slice.min(rays - first),
+        count: slice.min(params.most_rays - first),
         first_block: tile.first_block,
         sample: tile.sample,
         ..params
