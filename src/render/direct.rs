@@ -1,5 +1,6 @@
 //! Light of the real lights, from each visible point of a tile.
 
+mod dispatches;
 mod exact;
 mod filter;
 mod guide;

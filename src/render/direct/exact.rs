@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::sampled::rays_of_dispatch;
+use super::dispatches::rays_of_dispatch;
 use crate::gpu::{DirectParams, GpuError};
 use crate::render::camera::{FrameSetup, Tile};
 use crate::render::lights::LightKind;

@@ -2,16 +2,15 @@
 
 use std::time::Duration;
 
+use super::dispatches::rays_of_dispatch;
 use super::filter::DirectFilter;
 use super::guide::Guide;
 use super::lobes::LobeRays;
 use crate::gpu::{DirectParams, GpuError};
 use crate::render::camera::{FrameSetup, Tile};
-use crate::render::kernels::rays_at_once;
 use crate::render::lights::LightKind;
 use crate::render::prepared::Prepared;
 use crate::render::stage::{Named, Stage};
-use crate::render::visibility::dispatch_rays;
 use crate::sampling::{SURFACE_OFFSET, hash};
 
 /// As `MOST` of `shaders/direct/ray_counts.wgsl`.
@@ -114,24 +113,6 @@ impl<'a> SampledLight<'a> {
         }
         Ok(time)
     }
-}
-
-/// The parameters of a tile's dispatches, each of a bounded number of rays.
-pub fn rays_of_dispatch(
-    prepared: &Prepared,
-    tile: Tile,
-    params: DirectParams,
-) -> impl Iterator<Item = DirectParams> {
-    let most = rays_at_once(prepared.bvh.nodes.len());
-    let slice = (dispatch_rays(prepared) / tile.points()).clamp(1, most);
-    (0..params.most_rays).step_by(slice as usize).map(move |first| DirectParams {
-        points: tile.points(),
-        first,
-        count: slice.min(params.most_rays - first),
-        first_block: tile.first_block,
-        sample: tile.sample,
-        ..params
-    })
 }
 
 /// Of how many places on the lights each ray chooses one. Among many lamps the pixels of a block are
