@@ -39,6 +39,8 @@ fn lobe_share(
 // well: that of the guide, they do not.
 fn light_density(light: LightSample, stratum: u32) -> f32 {
     let drawn = light_strata[stratum];
+    // Rays of the lobe never find lights without extent.
+    if drawn.kind == DELTA_LIGHT { return HUGE; }
     if drawn.kind == SPHERE_LIGHT { return light.density * drawn.extent.x * drawn.extent.y; }
     let is_area = drawn.kind == AREA_LIGHT;
     return mean_of(light.radiance) * select(params.sky_density, params.area_density, is_area);

@@ -56,7 +56,8 @@ pub fn all_programs() -> Vec<Program> {
         programs.extend(exact.into_iter().map(|kind| direct_exact(target, kind)));
         programs.extend([pack_surfaces(target), ray_counts(target)]);
         programs.extend([filter_guide(target), filter_level(target)]);
-        // One kind, several side by side, and all.
+        // One kind, several side by side, and all; lights without extent are alike in samples.
+        let extended = [&[LightKind::Point][..], &extended].concat();
         let some = (1..=extended.len()).flat_map(|count| extended.windows(count));
         for kinds in some {
             for near in [false, true] {

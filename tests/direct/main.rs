@@ -7,6 +7,7 @@ mod closed_forms;
 mod environment;
 mod glossy;
 mod lights;
+mod many_lights;
 mod sampling;
 mod sphere_lights;
 mod spheres;

@@ -45,7 +45,9 @@ impl<'a> SampledLight<'a> {
         let is_guided = settings.few_light_samples();
         let strata = prepared.lights.strata(kinds, is_guided);
         let table = prepared.gpu.storage_of("strata of the lights", &strata.records)?;
-        let named = [&[("light_strata", &table)], named].concat();
+        let delta =
+            prepared.gpu.storage_of("lights without extent", &prepared.lights.delta(kinds))?;
+        let named = [&[("light_strata", &table), ("delta_lights", &delta)], named].concat();
         let [unshadowed, pilot, guide, samples] = prepared.direct_sampled_programs(kinds, settings);
         let programs = [&unshadowed, &pilot, &guide];
         let guide = Guide::new(setup, &strata, programs, &named)?;
@@ -67,7 +69,7 @@ impl<'a> SampledLight<'a> {
             rays,
             // Where pixels have few like neighbours, they take more.
             most_rays: if settings.counts_light_samples() { MOST_TIMES * rays } else { rays },
-            candidates: candidates(prepared, is_guided),
+            candidates: candidates(prepared, kinds, is_guided),
             // The difference of two halves is what the filter takes the noise for.
             halves: if filter.is_some() { 2 } else { 1 },
             samples: settings.samples,
@@ -117,10 +119,10 @@ impl<'a> SampledLight<'a> {
 
 /// Of how many places on the lights each ray chooses one. Among many lamps the pixels of a block are
 /// near to different ones, which neither guide nor power tell apart.
-fn candidates(prepared: &Prepared, is_guided: bool) -> u32 {
+fn candidates(prepared: &Prepared, kinds: &[LightKind], is_guided: bool) -> u32 {
     const FEW_LIGHTS: u32 = 16;
-    let lamps = [LightKind::Area, LightKind::Sphere].map(|kind| prepared.lights.count(kind));
-    match lamps.iter().sum::<u32>() {
+    let lamps = kinds.iter().filter(|&&kind| kind != LightKind::Environment);
+    match lamps.map(|&kind| prepared.lights.count(kind)).sum::<u32>() {
         FEW_LIGHTS.. => 8,
         _ if is_guided => 2,
         _ => 1,

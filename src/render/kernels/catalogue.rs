@@ -128,6 +128,10 @@ modules! {
     LIGHT_KINDS = "lights/kinds";
     SEVERAL_KINDS = "lights/several_kinds";
     LIGHT_STRATA = "lights/strata";
+    DELTA_LIGHT = "lights/delta_light" for "many lights without extent";
+    STRATUM_EXTENDED = "lights/stratum_extended";
+    STRATUM_DELTA = "lights/stratum_delta" for "many lights without extent";
+    STRATUM_ANY = "lights/stratum_any" for "many lights without extent";
     CHOOSE_STRATUM = "direct/choose_stratum" for "guided light samples";
     GUIDE_PARAMS = "direct/guide_params" for "guided light samples";
     GUIDE_UNSHADOWED = "direct/guide_unshadowed" for "guided light samples";

@@ -1,6 +1,7 @@
 //! Strata of all lights that have some extent: what one choice among lamps, emitting meshes and parts
 //! of the sky is made from.
 
+use super::delta;
 use super::kind::LightKind;
 use crate::gpu::LightStratumRecord;
 
@@ -14,11 +15,16 @@ const SKY_STRATA: [u32; 2] = [16, 16];
 /// Strata of the emitting triangles, or of the spheres, at least and at most: powers of two.
 const LEAST_STRATA: u32 = 8;
 const MOST_STRATA: u32 = 64;
+/// Strata of lights without extent, at most.
+const MOST_DELTA: u32 = 128;
+/// All strata, at most: as `MOST_STRATA` of `shaders/direct/guide_params.wgsl`.
+const MOST_OF_ALL: u32 = 448;
 
 /// The strata, in the order of their table.
 #[derive(Debug, Clone, Default)]
 pub struct LightStrata {
-    /// A record each. Of the strata of a kind, all have the same probability in the square.
+    /// A record each. Of the strata of a kind that has some extent, all have the same probability in
+    /// the square.
     pub records: Vec<LightStratumRecord>,
     /// How many of an even sky are the first of all; the last is then the same sky by the cosine at
     /// the point. 0 where there is no such sky.
@@ -43,6 +49,12 @@ impl LightStrata {
                 LightKind::Sphere => strata.add(SPHERE, [of_lamps(*lights), 1]),
                 _ => {}
             }
+        }
+        let is_delta = |(kind, _): &&(LightKind, u32)| kind.is_exact();
+        let lights: u32 = kinds.iter().filter(is_delta).map(|(_, lights)| lights).sum();
+        let room = MOST_OF_ALL - strata.records.len() as u32 - 1;
+        if lights > 0 {
+            strata.records.extend(delta::strata(lights, room.min(MOST_DELTA)));
         }
         if strata.even_sky > 0 {
             strata.add(HEMISPHERE, [1, 1]);

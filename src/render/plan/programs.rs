@@ -94,8 +94,8 @@ impl Plan {
             let shade = shade(target, false, settings.sharing(), emitter);
             programs.extend([self.visibility_program(emitter), shade]);
         }
-        let (exact, sampled): (Vec<_>, Vec<_>) =
-            self.kinds().filter(|&kind| shared(kind).is_none()).partition(|kind| kind.is_exact());
+        let kinds = self.kinds().filter(|&kind| shared(kind).is_none());
+        let [exact, sampled] = self.lights.part(kinds, settings);
         programs.extend(exact.into_iter().map(|kind| self.direct_exact_program(kind)));
         if !sampled.is_empty() {
             programs.extend(self.direct_sampled_programs(&sampled, settings));
