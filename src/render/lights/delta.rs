@@ -11,6 +11,11 @@ use crate::gpu::{
 
 /// The code of their strata, as in `shaders/lights/kinds.wgsl`.
 const DELTA: u32 = 4;
+/// So many lights have a stratum each...
+const SINGLE: u32 = 128;
+/// ... and more are in runs of so many: the guide asks each of them, as `ASKED` of
+/// `shaders/direct/guide_unshadowed.wgsl`. In longer runs every block of pixels asks others.
+const ASKED: u32 = 4;
 
 /// A point light: the ramp of a spot that is 1 in all directions.
 pub fn of_point(light: &PointLightRecord) -> DeltaLightRecord {
@@ -57,16 +62,25 @@ pub fn order(lights: &mut [DeltaLightRecord]) {
     });
 }
 
-/// Strata of so many lights: a run each, `most` at most.
-pub fn strata(lights: u32, most: u32) -> impl Iterator<Item = LightStratumRecord> {
+/// Strata of so many lights at some place, and so many that are infinitely far away: runs of them,
+/// `most` at most. Those far away, few and strong, are never with others.
+pub fn strata([near, far]: [u32; 2], most: u32) -> Vec<LightStratumRecord> {
+    let of_far = far.min(most / 4);
+    let of_near = near.div_ceil(ASKED).max(SINGLE).min(most - of_far);
+    [runs(0, near, of_near), runs(near, far, of_far)].concat()
+}
+
+/// Runs of so many lights from the first on.
+fn runs(first: u32, lights: u32, most: u32) -> Vec<LightStratumRecord> {
     let count = lights.min(most);
-    let first = move |run: u32| (u64::from(run) * u64::from(lights) / u64::from(count)) as u32;
-    (0..count).map(move |run| LightStratumRecord {
-        low: [first(run) as f32, 0.0],
-        extent: [(first(run + 1) - first(run)) as f32, 1.0],
+    let end = move |run: u32| (u64::from(run) * u64::from(lights) / u64::from(count)) as u32;
+    let run = |run: u32| LightStratumRecord {
+        low: [(first + end(run)) as f32, 0.0],
+        extent: [(end(run + 1) - end(run)) as f32, 1.0],
         kind: DELTA,
         pad: [0; 3],
-    })
+    };
+    (0..count).map(run).collect()
 }
 
 #[cfg(test)]
@@ -75,16 +89,20 @@ mod tests {
 
     #[test]
     fn every_light_is_in_one_stratum() {
-        for (lights, most) in [(1, 64), (5, 64), (64, 64), (65, 64), (100_000, 256), (7, 3)] {
+        for [near, far, most] in
+            [[1, 0, 64], [0, 9, 64], [65, 2, 64], [100_000, 100, 256], [7, 3, 8], [700, 1, 447]]
+        {
             let mut end = 0;
-            let strata: Vec<_> = strata(lights, most).collect();
-            assert_eq!(strata.len() as u32, lights.min(most));
+            let strata = strata([near, far], most);
+            assert!(strata.len() as u32 <= most);
             for stratum in strata {
                 assert_eq!(stratum.low[0] as u32, end);
                 assert!(stratum.extent[0] >= 1.0);
-                end += stratum.extent[0] as u32;
+                let next = end + stratum.extent[0] as u32;
+                assert!(end >= near || next <= near, "one near and one far");
+                end = next;
             }
-            assert_eq!(end, lights);
+            assert_eq!(end, near + far);
         }
     }
 }

@@ -15,8 +15,6 @@ const SKY_STRATA: [u32; 2] = [16, 16];
 /// Strata of the emitting triangles, or of the spheres, at least and at most: powers of two.
 const LEAST_STRATA: u32 = 8;
 const MOST_STRATA: u32 = 64;
-/// Strata of lights without extent, at most.
-const MOST_DELTA: u32 = 128;
 /// All strata, at most: as `MOST_STRATA` of `shaders/direct/guide_params.wgsl`.
 const MOST_OF_ALL: u32 = 448;
 
@@ -50,12 +48,13 @@ impl LightStrata {
                 _ => {}
             }
         }
-        let is_delta = |(kind, _): &&(LightKind, u32)| kind.is_exact();
-        let lights: u32 = kinds.iter().filter(is_delta).map(|(_, lights)| lights).sum();
+        let is_far = |kind| kind == LightKind::Directional;
+        let deltas = || kinds.iter().filter(|(kind, _)| kind.is_exact());
+        let delta = [false, true].map(|far| {
+            deltas().filter(|(kind, _)| is_far(*kind) == far).map(|(_, lights)| lights).sum::<u32>()
+        });
         let room = MOST_OF_ALL - strata.records.len() as u32 - 1;
-        if lights > 0 {
-            strata.records.extend(delta::strata(lights, room.min(MOST_DELTA)));
-        }
+        strata.records.extend(delta::strata(delta, room));
         if strata.even_sky > 0 {
             strata.add(HEMISPHERE, [1, 1]);
         }
