@@ -17,8 +17,8 @@ pub use dispatch::Dispatch;
 pub use error::GpuError;
 pub use kernel::{Bindings, Kernel};
 pub use layout::{
-    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DirectParams,
-    DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
+    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DeltaLightRecord,
+    DirectParams, DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
     InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord, PathParams, PathRecord,
     PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord, SpotLightRecord,
     StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,

@@ -45,12 +45,15 @@ fn main(
     workgroupBarrier();
     let least = select(LEAST_COSINE.x, LEAST_COSINE.y, atomicLoad(&uneven) != 0u);
     for (var stratum = invocation; stratum < params.strata; stratum += 64u) {
+        // Of a run of more lights than are asked, not the same in all blocks.
+        let long_run = light_stratum(stratum).extent.x > f32(ASKED);
+        let first = select(0.5, f32(hash(params.first_block + block) >> 8u) / 16777216.0, long_run);
         var sum = 0.0;
         for (var i = 0u; i < ASKED; i++) {
             // One in each quarter of the block, the same for all strata: their shares have no noise.
             let place = next_surface[16u * i + (7u * i + 3u) % 16u];
             let point = points[block * 64u + min(place, 63u)];
-            let u = fract(vec2f(0.5) + f32(i) * vec2f(0.7548777, 0.5698403));
+            let u = fract(vec2f(first, 0.5) + f32(i) * vec2f(0.7548777, 0.5698403));
             let light = sample_stratum(stratum, point, u, params.offset);
             sum += select(given_about(point, light, least), 0.0, place == 64u);
         }

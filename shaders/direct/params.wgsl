@@ -17,9 +17,18 @@ struct DirectParams {
     candidates: u32,
     // Parts of the rays that are stratified by themselves.
     halves: u32,
-    pad0: u32,
-    pad1: u32,
-    pad2: u32,
+    // Of places on area lights, spheres and the environment, the density with which light samples are
+    // taken to be drawn: by area over the mean radiance; the probability of a sphere over its mean
+    // radiance, sides and squared radius; by solid angle over the mean radiance. 0 where none are.
+    area_density: f32,
+    solid_density: f32,
+    sky_density: f32,
+    // Of the points that take most.
+    most_rays: u32,
+    // Lobes take rays whose exponent is at least the one and below the other.
+    least_shininess: f32,
+    most_shininess: f32,
+    pad: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: DirectParams;

@@ -6,11 +6,20 @@
 // Egbert, "Importance Resampling for Global Illumination", EGSR 2005.
 struct Drawn {
     light: LightSample,
+    // The stratum that it is of.
+    stratum: u32,
     // By which its irradiance is multiplied.
     weight: f32,
 }
 
-fn draw_light(point: Point, block: u32, place: u32, all: u32, stream: u32) -> Drawn {
+fn draw_light(
+    point: Point,
+    receiver: LightReceiver,
+    block: u32,
+    place: u32,
+    all: u32,
+    stream: u32,
+) -> Drawn {
     var drawn: Drawn;
     var sum = 0.0;
     // One number decides all: what is left of it after a choice is uniform again.
@@ -21,12 +30,12 @@ fn draw_light(point: Point, block: u32, place: u32, all: u32, stream: u32) -> Dr
         let choice = choose_stratum(block, params.lights, u.x);
         let light =
             sample_stratum(choice.stratum, point, vec2f(choice.rest, u.y), params.offset);
-        let gives = given(light) * choice.arriving;
+        let gives = given_to(receiver, light, choice.stratum) * choice.arriving;
         let weight = gives / choice.probability;
         sum += weight;
         let share = select(0.0, weight / sum, weight > 0.0);
         if decides < share {
-            drawn = Drawn(light, 1.0 / (light.density * gives));
+            drawn = Drawn(light, choice.stratum, 1.0 / (light.density * gives));
             decides = decides / share;
         } else {
             decides = (decides - share) / max(1.0 - share, 1e-7);
@@ -47,7 +56,8 @@ fn main(
     let is = id.x < params.points && point.surface != NOTHING;
     let origin = offset_position(point, params.offset);
     let stream = hash(hash(params.first_block * 64u + id.x) + params.seed);
-        let rays = rays_of(index);
+    let receiver = light_receiver(point);
+    let rays = rays_of(index);
     let halves = min(rays, params.halves);
     var sum = Gathered();
     for (var ray = params.first; ray < params.first + params.count; ray++) {
@@ -58,13 +68,13 @@ fn main(
         let own = (rays + halves - 1u - half) / halves;
         let all = own * params.samples;
         let place = ray / halves * params.samples + params.sample;
-        let drawn = draw_light(point, index / 64u, place, all, hash(stream + half));
+        let drawn = draw_light(point, receiver, index / 64u, place, all, hash(stream + half));
         let light = drawn.light;
         let limit = select(0.0, light.limit, wanted && drawn.weight > 0.0);
         let hit = traverse(origin, light.toward, limit, params.nodes, true, invocation);
         if limit > 0.0 && hit.triangle == NOTHING {
             let weight = light.geometry * drawn.weight / f32(own * halves);
-            let arrived = arriving(point, normalize(light.toward), light.radiance * weight);
+            let arrived = sample_arriving(point, receiver, light, drawn.stratum, light.radiance * weight);
             sum += with_half_difference(arrived, select(0.5, -0.5, half == 1u) * f32(halves));
         }
     }

@@ -20,8 +20,7 @@ fn brdf(point: Point, albedo: vec3f, toward: vec3f) -> vec3f {
 // The density with which `scatter` draws a unit direction, by solid angle, over its cosine.
 fn scatter_density(point: Point, albedo: vec3f, toward: vec3f) -> f32 {
     let bsdf = bsdf_of(point);
-    let n = bsdf.parameter;
-    let gloss = (n + 1.0) / (2.0 * PI) * lobe(mirrored_view(point), toward, n);
+    let gloss = lobe_density(mirrored_view(point), bsdf.parameter, toward);
     let cosine = max(dot(point.normal, toward), 1e-6);
     return (1.0 - bsdf.lobe_probability) / PI + bsdf.lobe_probability * gloss / cosine;
 }
@@ -32,11 +31,7 @@ fn scatter(point: Point, albedo: vec3f, u: vec2f) -> BsdfSample {
     let glossy = u.x < bsdf.lobe_probability;
     let share = select(1.0 - bsdf.lobe_probability, bsdf.lobe_probability, glossy);
     let rest = vec2f(clamp((u.x - select(bsdf.lobe_probability, 0.0, glossy)) / share, 0.0, 1.0), u.y);
-    let cosine = pow(1.0 - rest.x, 1.0 / (bsdf.parameter + 1.0));
-    let sine = sqrt(max(1.0 - cosine * cosine, 0.0));
-    let turn = 2.0 * PI * rest.y;
-    let about = vec3f(sine * cos(turn), sine * sin(turn), cosine);
-    let by_lobe = normalize(frame_about(mirrored_view(point)) * about);
+    let by_lobe = sample_lobe(mirrored_view(point), bsdf.parameter, rest);
     let direction = select(cosine_hemisphere(point.normal, rest), by_lobe, glossy);
     let density = scatter_density(point, albedo, direction);
     let weight = brdf(point, albedo, direction) / density;

@@ -6,8 +6,8 @@ mod params;
 mod scene;
 
 pub use lights::{
-    AreaLightRecord, DirectionalLightRecord, GlossyVplRecord, LightStratumRecord, PointLightRecord,
-    SphereLightRecord, SpotLightRecord, VplRecord,
+    AreaLightRecord, DeltaLightRecord, DirectionalLightRecord, GlossyVplRecord, LightStratumRecord,
+    PointLightRecord, SphereLightRecord, SpotLightRecord, VplRecord,
 };
 pub use params::{
     ArrivalRecord, CameraParams, CompensatedParams, DirectParams, ExpandParams, FilterParams,

@@ -1,10 +1,8 @@
 //! Clusters: of visible points, which share visibility, and of VPLs, which share visibility or
 //! become one light.
 
-mod morton;
 mod points;
 mod vpls;
 
-pub use morton::morton;
 pub use points::PointClusters;
 pub use vpls::VplClusters;

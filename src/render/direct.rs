@@ -1,8 +1,10 @@
 //! Light of the real lights, from each visible point of a tile.
 
+mod dispatches;
 mod exact;
 mod filter;
 mod guide;
+mod lobes;
 mod sampled;
 
 use std::time::Duration;
@@ -40,7 +42,7 @@ impl<'a> DirectLight<'a> {
         named.push(irradiance.named());
         // Whatever is linked, rays go to lights that are there.
         let kinds = prepared.lights.kinds().filter(|&kind| is_per_pixel(settings, kind));
-        let (exact, sampled): (Vec<_>, Vec<_>) = kinds.partition(|kind| kind.is_exact());
+        let [exact, sampled] = prepared.lights.part(kinds, settings);
         let exact = exact.into_iter().map(|kind| ExactLight::new(setup, kind, &named));
         Ok(Self {
             exact: exact.collect::<Result<_, _>>()?,

@@ -20,8 +20,8 @@ use crate::gpu::{Program, TriangleRecord};
 pub use camera::{antialias, background, emit, resolve, show, visible_points};
 pub use catalogue::{CATALOGUE, features_of, features_without};
 pub use direct::{
-    LightRays, direct_exact, direct_sampled, filter_guide, filter_level, guide, guide_pilot,
-    guide_unshadowed, pack_light, pack_surfaces, ray_counts,
+    LightRays, direct_exact, direct_lobe_rays, direct_sampled, filter_guide, filter_level, guide,
+    guide_pilot, guide_unshadowed, pack_light, pack_surfaces, ray_counts,
 };
 pub use gather::{
     clamped_energy, discontinuity_buffer, join_subsets, reflect, shade, split_subsets,
@@ -59,12 +59,15 @@ pub fn all_programs() -> Vec<Program> {
         for [near, last] in [[true, false], [false, false], [false, true]] {
             programs.push(filter_level(target, near, last));
         }
-        // One kind, several side by side, and all.
+        // One kind, several side by side, and all; lights without extent are alike in samples.
+        let extended = [&[LightKind::Point][..], &extended].concat();
         let some = (1..=extended.len()).flat_map(|count| extended.windows(count));
         for kinds in some {
             for near in [false, true] {
-                let by = [LightRays::Even, LightRays::Guided, LightRays::Counted].into_iter();
-                programs.extend(by.map(|by| direct_sampled(target, kinds, near, by)));
+                for by in [LightRays::Even, LightRays::Guided, LightRays::Counted] {
+                    programs.push(direct_sampled(target, kinds, near, by));
+                    programs.extend(direct_lobe_rays(target, kinds, by));
+                }
                 programs.push(guide_unshadowed(target, kinds, near));
                 programs.push(guide_pilot(target, kinds, near));
             }

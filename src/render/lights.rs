@@ -2,6 +2,7 @@
 
 mod area;
 mod bounds;
+mod delta;
 mod directional;
 mod environment;
 mod kind;
@@ -16,11 +17,12 @@ use std::f64::consts::PI;
 
 use glam::Vec3;
 
+use super::settings::Settings;
 use super::virtual_light::VirtualLight;
 use crate::bvh::Bvh;
 use crate::gpu::{
-    AreaLightRecord, DirectionalLightRecord, Gpu, GpuError, PointLightRecord, SphereLightRecord,
-    SpotLightRecord, Texture,
+    AreaLightRecord, DeltaLightRecord, DirectionalLightRecord, Gpu, GpuError, PointLightRecord,
+    SphereLightRecord, SpotLightRecord, Texture,
 };
 use crate::scene::Scene;
 
@@ -30,6 +32,11 @@ pub use kind::LightKind;
 pub use start::Start;
 pub use strata::LightStrata;
 pub use table::Table;
+
+/// Lights without extent that have a ray each, which leaves no noise; more join the choice among the
+/// others. Guide and filter take as long as some 12 rays a pixel through a hierarchy, and as some 60
+/// against literals.
+const MOST_EXACT: u32 = 8;
 
 /// All lights of a scene.
 #[derive(Debug, Clone, Default)]
@@ -167,8 +174,48 @@ impl Lights {
         if power > 0.0 { (4.0 * PI * PI / power) as f32 } else { 0.0 }
     }
 
-    /// The strata of the lights of these kinds, which have some extent: many to be guided by, or one a
-    /// kind.
+    /// The densities with which light samples of these kinds are taken to be drawn, see
+    /// `shaders/direct/params.wgsl`: of area lights, of emitting spheres and of the environment.
+    pub fn densities(&self, kinds: &[LightKind]) -> [f32; 3] {
+        let sky = |light: &EnvironmentLight| 1.0 / light.radiance_integral as f32;
+        [
+            (LightKind::Area, self.area_density()),
+            (LightKind::Sphere, self.solid_density()),
+            (LightKind::Environment, self.environment.as_ref().map_or(0.0, sky)),
+        ]
+        .map(|(kind, density)| if kinds.contains(&kind) { density } else { 0.0 })
+    }
+
+    /// Parts kinds into those whose lights have a ray each from every point, and those of which a few
+    /// samples are drawn: lights of some extent, and all others if they are many.
+    pub fn part(
+        &self,
+        kinds: impl Iterator<Item = LightKind>,
+        settings: &Settings,
+    ) -> [Vec<LightKind>; 2] {
+        let (exact, mut sampled): (Vec<_>, Vec<_>) = kinds.partition(|kind| kind.is_exact());
+        let count: u32 = exact.iter().map(|&kind| self.count(kind)).sum();
+        if count <= MOST_EXACT || !settings.few_light_samples() {
+            return [exact, sampled];
+        }
+        sampled.extend(exact);
+        [vec![], sampled]
+    }
+
+    /// The lights without extent of these kinds, in the order of their strata.
+    pub fn delta(&self, kinds: &[LightKind]) -> Vec<DeltaLightRecord> {
+        let has = |kind| kinds.contains(&kind);
+        let points = self.point.records.iter().filter(|_| has(LightKind::Point));
+        let spots = self.spot.records.iter().filter(|_| has(LightKind::Spot));
+        let far = self.directional.records.iter().filter(|_| has(LightKind::Directional));
+        let mut lights: Vec<_> = points.map(delta::of_point).collect();
+        lights.extend(spots.map(delta::of_spot));
+        lights.extend(far.map(delta::of_directional));
+        delta::order(&mut lights);
+        lights
+    }
+
+    /// The strata of the lights of these kinds: many to be guided by, or one a kind.
     pub fn strata(&self, kinds: &[LightKind], guided: bool) -> LightStrata {
         let even = self.environment.as_ref().is_some_and(EnvironmentLight::is_even);
         if !guided {

@@ -156,7 +156,8 @@ pub struct Settings {
     pub direct: Direct,
     /// Shadow rays from each visible point to all lights that have some extent; `None` chooses: 4 a
     /// pixel where they are combined over pixels, and up to 16 where few pixels are alike; 16 where
-    /// they are not. With clusters, from each cluster: 256. Paths have one.
+    /// they are not. Glossy surfaces take as many rays by their lobes. With clusters, from each
+    /// cluster: 256. Paths have one.
     pub light_samples: Option<u32>,
     /// Whether light samples are combined over pixels that see the same surface.
     pub direct_filter: bool,

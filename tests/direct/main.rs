@@ -5,7 +5,9 @@ mod common;
 
 mod closed_forms;
 mod environment;
+mod glossy;
 mod lights;
+mod many_lights;
 mod sampling;
 mod sphere_lights;
 mod spheres;

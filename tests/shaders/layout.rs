@@ -8,8 +8,8 @@ use std::mem::offset_of;
 
 use gpu_vpl::bvh::{WideChild, WideNode};
 use gpu_vpl::gpu::{
-    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DirectParams,
-    DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
+    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DeltaLightRecord,
+    DirectParams, DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
     InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord, PathParams, PathRecord,
     PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord, SpotLightRecord,
     StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
@@ -99,6 +99,9 @@ fn records() -> Vec<Record> {
         record!(DirectionalLightRecord as "DirectionalLight" {
             toward, before, irradiance, probability,
         }),
+        record!(DeltaLightRecord as "DeltaLight" {
+            place, is_far, intensity, slope, axis, cos_outer,
+        }),
         record!(SphereLightRecord as "SphereLight" {
             center, radius, radiance, two_sided, before, probability, pad,
         }),
@@ -111,7 +114,8 @@ fn records() -> Vec<Record> {
         }),
         record!(DirectParams as "DirectParams" {
             points, lights, first, count, seed, first_block, offset, nodes, sample, samples, rays,
-            candidates, halves, pad,
+            candidates, halves, area_density, solid_density, sky_density, most_rays,
+            least_shininess, most_shininess, pad,
         }),
         record!(FilterParams as "FilterParams" {
             width, height, step, tolerance, rays, pad,
@@ -193,7 +197,7 @@ fn all_modules() -> Vec<naga::Module> {
 #[test]
 fn host_records_are_laid_out_as_naga_does() {
     let compared = compare(&records(), &all_modules()).unwrap_or_else(|what| panic!("{what}"));
-    assert_eq!(compared.len(), 27, "{compared:?}");
+    assert_eq!(compared.len(), 28, "{compared:?}");
 }
 
 #[test]

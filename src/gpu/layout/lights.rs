@@ -96,6 +96,24 @@ pub struct DirectionalLightRecord {
     pub probability: f32,
 }
 
+/// A light without extent of any kind, 48 bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct DeltaLightRecord {
+    /// Where it is, or the unit vector to where the light comes from.
+    pub place: [f32; 3],
+    /// Whether it is infinitely far away.
+    pub is_far: u32,
+    /// Radiant intensity where it shines in full; if it is far away, irradiance of a surface across.
+    pub intensity: [f32; 3],
+    /// How fast a spot's ramp rises with the cosine from `cos_outer`.
+    pub slope: f32,
+    /// Unit vector along a spot's axis; 0 without one.
+    pub axis: [f32; 3],
+    /// Cosine of the angle beyond which a spot does not shine.
+    pub cos_outer: f32,
+}
+
 /// An emitting triangle, 80 bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]

@@ -70,8 +70,23 @@ pub struct DirectParams {
     pub candidates: u32,
     /// Parts of the light samples that are stratified by themselves, 1 or 2.
     pub halves: u32,
+    /// The density, by area, with which places on area lights are taken to be drawn, over their mean
+    /// radiance; 0 if none are.
+    pub area_density: f32,
+    /// The probability with which an emitting sphere is, over its mean radiance, its sides and its
+    /// squared radius.
+    pub solid_density: f32,
+    /// The density, by solid angle, with which directions to the environment are, over the mean
+    /// radiance there.
+    pub sky_density: f32,
+    /// Rays of the points that take most of them.
+    pub most_rays: u32,
+    /// Lobes take rays whose exponent is at least this...
+    pub least_shininess: f32,
+    /// ... and below this.
+    pub most_shininess: f32,
     /// Unused.
-    pub pad: [u32; 3],
+    pub pad: u32,
 }
 
 /// Parameters of the filter of direct light.

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::morton::morton;
+use crate::cluster::morton;
 use crate::cluster::{Options, Points, fuzzy, kmeans};
 use crate::gpu::PointRecord;
 use crate::render::settings::Clustering;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::sampled::rays_of_dispatch;
+use super::dispatches::rays_of_dispatch;
 use crate::gpu::{DirectParams, GpuError};
 use crate::render::camera::{FrameSetup, Tile};
 use crate::render::lights::LightKind;
@@ -37,6 +37,7 @@ impl<'a> ExactLight<'a> {
         let params = DirectParams {
             lights: count,
             rays: count,
+            most_rays: count,
             samples: settings.samples,
             seed: hash(seed),
             offset: SURFACE_OFFSET,
@@ -51,7 +52,7 @@ impl<'a> ExactLight<'a> {
     /// # Errors
     /// The device fails.
     pub fn gather(&self, tile: Tile) -> Result<Duration, GpuError> {
-        rays_of_dispatch(self.prepared, tile, self.params, self.params.rays)
+        rays_of_dispatch(self.prepared, tile, self.params)
             .map(|params| self.stage.run(self.prepared, &params, [tile.blocks, 1]))
             .sum()
     }

@@ -2,15 +2,15 @@
 
 use std::time::Duration;
 
+use super::dispatches::rays_of_dispatch;
 use super::filter::DirectFilter;
 use super::guide::Guide;
+use super::lobes::LobeRays;
 use crate::gpu::{DirectParams, GpuError};
 use crate::render::camera::{FrameSetup, Tile};
-use crate::render::kernels::rays_at_once;
 use crate::render::lights::LightKind;
 use crate::render::prepared::Prepared;
 use crate::render::stage::{Named, Stage};
-use crate::render::visibility::dispatch_rays;
 use crate::sampling::{SURFACE_OFFSET, hash};
 
 /// As `MOST` of `shaders/direct/ray_counts.wgsl`.
@@ -22,10 +22,11 @@ pub struct SampledLight<'a> {
     prepared: &'a Prepared,
     /// What all tiles share.
     params: DirectParams,
-    most_rays: u32,
     guide: Option<Guide<'a>>,
     filter: Option<DirectFilter<'a>>,
     stage: Stage,
+    /// Rays by the lobes of glossy surfaces.
+    lobes: Option<LobeRays<'a>>,
 }
 
 impl<'a> SampledLight<'a> {
@@ -43,6 +44,9 @@ impl<'a> SampledLight<'a> {
         let is_guided = settings.few_light_samples();
         let strata = prepared.lights.strata(kinds, is_guided);
         let table = prepared.gpu.texture_of("light_strata", &strata.records)?;
+        let delta =
+            prepared.gpu.storage_of("lights without extent", &prepared.lights.delta(kinds))?;
+        let named = &[&[("delta_lights", &delta)], named].concat()[..];
         let guide =
             is_guided.then(|| Guide::new(setup, kinds, &strata, &table, named)).transpose()?;
         let rays = settings.light_samples_per_point();
@@ -51,10 +55,16 @@ impl<'a> SampledLight<'a> {
             filter.then(|| DirectFilter::new(setup, rays, irradiance, named)).transpose()?;
         let mut named = named.to_vec();
         named.extend(filter.iter().map(|filter| ("ray_counts", &filter.ray_counts)));
+        let [area_density, solid_density, sky_density] = prepared.lights.densities(kinds);
         let params = DirectParams {
+            area_density,
+            solid_density,
+            sky_density,
             lights: strata.records.len() as u32,
             rays,
-            candidates: candidates(prepared, is_guided),
+            // Where pixels have few like neighbours, they take more.
+            most_rays: if settings.counts_light_samples() { MOST_TIMES * rays } else { rays },
+            candidates: candidates(prepared, kinds, is_guided),
             // The difference of two halves is what the filter takes the noise for.
             halves: if filter.is_some() { 2 } else { 1 },
             samples: settings.samples,
@@ -68,8 +78,7 @@ impl<'a> SampledLight<'a> {
         textures.extend(guide.iter().map(|guide| ("guide", &guide.table)));
         Ok(Self {
             stage: Stage::with_textures(prepared, &samples, &named, &textures)?,
-            // Where pixels have few like neighbours, they take more.
-            most_rays: if settings.counts_light_samples() { MOST_TIMES * rays } else { rays },
+            lobes: LobeRays::new(setup, kinds, &named)?,
             prepared,
             params,
             guide,
@@ -89,41 +98,28 @@ impl<'a> SampledLight<'a> {
         if let Some(filter) = &self.filter {
             time += filter.count(tile)?;
         }
-        for params in rays_of_dispatch(self.prepared, tile, self.params, self.most_rays) {
+        for params in rays_of_dispatch(self.prepared, tile, self.params) {
             time += self.stage.run(self.prepared, &params, [tile.blocks, 1])?;
+        }
+        if let Some(lobes) = &self.lobes {
+            time += lobes.gather_wide(tile, self.params)?;
         }
         if let Some(filter) = &self.filter {
             time += filter.combine(tile)?;
+        }
+        if let Some(lobes) = &self.lobes {
+            time += lobes.gather_narrow(tile, self.params)?;
         }
         Ok(time)
     }
 }
 
-/// The parameters of a tile's dispatches, each of a bounded number of rays.
-pub fn rays_of_dispatch(
-    prepared: &Prepared,
-    tile: Tile,
-    params: DirectParams,
-    rays: u32,
-) -> impl Iterator<Item = DirectParams> {
-    let most = rays_at_once(prepared.bvh.nodes.len());
-    let slice = (dispatch_rays(prepared) / tile.points()).clamp(1, most);
-    (0..rays).step_by(slice as usize).map(move |first| DirectParams {
-        points: tile.points(),
-        first,
-        count: slice.min(rays - first),
-        first_block: tile.first_block,
-        sample: tile.sample,
-        ..params
-    })
-}
-
 /// Of how many places on the lights each ray chooses one. Among many lamps the pixels of a block are
 /// near to different ones, which neither guide nor power tell apart.
-fn candidates(prepared: &Prepared, is_guided: bool) -> u32 {
+fn candidates(prepared: &Prepared, kinds: &[LightKind], is_guided: bool) -> u32 {
     const FEW_LIGHTS: u32 = 16;
-    let lamps = [LightKind::Area, LightKind::Sphere].map(|kind| prepared.lights.count(kind));
-    match lamps.iter().sum::<u32>() {
+    let lamps = kinds.iter().filter(|&&kind| kind != LightKind::Environment);
+    match lamps.map(|&kind| prepared.lights.count(kind)).sum::<u32>() {
         FEW_LIGHTS.. => 8,
         _ if is_guided => 2,
         _ => 1,

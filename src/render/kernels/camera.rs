@@ -45,11 +45,15 @@ pub fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Mod
     [&first[..], &rays, &[&CAMERA], &specular_chain(target), last].concat()
 }
 
+/// The triangles that rays hit, where tracing them does not load them anyway.
+pub fn corners(target: Target) -> &'static [&'static Module] {
+    static CORNERS: [&Module; 2] = [&HIT_TRIANGLES, &SHAPE_TRIANGLE];
+    if target.literals { &CORNERS } else { &[] }
+}
+
 /// How rays go on at mirrors and glass, and what they see.
 pub fn specular_chain(target: Target) -> Vec<&'static Module> {
-    // The other ways to trace rays load all triangles.
-    let corners: &[&Module] =
-        if target.literals { &[&HIT_TRIANGLES, &SHAPE_TRIANGLE] } else { &[] };
+    let corners = corners(target);
     let sampled: &[&Module] = match (target.features.mirror, target.features.glass) {
         (false, false) => return [corners, &[&HIT_POINT, &SPECULAR_CHAIN_NONE]].concat(),
         (true, false) => &[&MIRROR, &SAMPLE_SPECULAR_MIRROR],

@@ -25,6 +25,7 @@ modules! {
     SAMPLING = "common/sampling";
     PIXELS = "common/pixels";
     TABLE = "common/table";
+    MEAN = "common/mean";
     SHAPE_TRIANGLE = "trace/shape_triangle";
     SHAPE_ANY = "trace/shape_any" for "spheres";
     OPAQUE_ALL = "trace/opaque_all";
@@ -53,6 +54,8 @@ modules! {
     TEXTURE_FILTERED = "materials/texture_filtered";
     EMISSION_SCALE_NONE = "materials/emission_scale_none";
     EMISSION_SCALE_TEXTURED = "materials/emission_scale_textured" for "emission textures";
+    EMISSION_SCALE_AT_NONE = "materials/emission_scale_at_none";
+    EMISSION_SCALE_AT = "materials/emission_scale_at" for "emission textures";
     STORE_EMISSION_SCALE_NONE = "camera/store_emission_scale_none";
     STORE_EMISSION_SCALE = "camera/store_emission_scale" for "emission textures";
     LIGHT_SCALE_NONE = "lights/light_scale_none";
@@ -60,6 +63,7 @@ modules! {
     LOBE_ENERGY = "materials/lobe_energy";
     LOBES_DIFFUSE = "materials/lobes_diffuse";
     LOBES_PHONG = "materials/lobes_phong" for "phong";
+    LOBE_SAMPLE = "materials/lobe_sample" for "phong";
     SCATTER_DIFFUSE = "materials/scatter_diffuse";
     SCATTER_PHONG = "materials/scatter_phong" for "phong";
     SPECULAR_SAMPLE = "materials/specular_sample";
@@ -122,8 +126,13 @@ modules! {
     ONLY_AREA = "lights/only_area";
     ONLY_SPHERE = "lights/only_sphere";
     ONLY_ENVIRONMENT = "lights/only_environment";
+    LIGHT_KINDS = "lights/kinds";
     SEVERAL_KINDS = "lights/several_kinds";
     LIGHT_STRATA = "lights/strata";
+    DELTA_LIGHT = "lights/delta_light" for "many lights without extent";
+    STRATUM_EXTENDED = "lights/stratum_extended";
+    STRATUM_DELTA = "lights/stratum_delta" for "many lights without extent";
+    STRATUM_ANY = "lights/stratum_any" for "many lights without extent";
     CHOOSE_STRATUM = "direct/choose_stratum" for "guided light samples";
     CHOOSE_STRATUM_EVEN = "direct/choose_stratum_even";
     GUIDE_PARAMS = "direct/guide_params" for "guided light samples";
@@ -143,7 +152,15 @@ modules! {
     FILTER_LEVEL = "direct/filter_level" for "filter of direct light";
     RAYS_ALIKE = "direct/rays_alike";
     RAYS_COUNTED = "direct/rays_counted" for "filter of direct light";
+    RECEIVER_PLAIN = "direct/receiver_plain";
+    RECEIVER_LOBED = "direct/receiver_lobed" for "phong";
     DIRECT_SAMPLED = "direct/sampled";
+    EMITTED_NONE = "direct/emitted_none";
+    EMITTED = "direct/emitted" for "area lights";
+    EMITTED_ANY = "direct/emitted_any" for "sphere lights";
+    ESCAPING_NONE = "direct/escaping_none";
+    ESCAPING = "direct/escaping" for "environment light";
+    LOBE_RAYS = "direct/lobe_rays" for "phong";
     VISIBILITY_SINGLE = "visibility/single" for "gathering of lights";
     BITS = "visibility/bits" for "gathering of lights";
     PACKET_SHAFT = "trace/packet_shaft" for "bounding volume hierarchy";

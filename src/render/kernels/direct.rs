@@ -1,15 +1,18 @@
 //! The programs of light straight from its source.
 
+use super::camera::corners;
 use super::catalogue::{
-    CHOOSE_STRATUM, CHOOSE_STRATUM_EVEN, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, FILTER_FAR,
-    FILTER_GUIDE, FILTER_LEVEL, FILTER_NEAR, FILTER_PARAMS, FILTER_SURFACES, FILTER_TO_POINTS,
-    FILTER_TO_TABLE, GUIDE, GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, ONE_SURFACE, PACK_LIGHT,
-    PACK_SURFACES, PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, SAMPLING, TABLE,
+    CHOOSE_STRATUM, CHOOSE_STRATUM_EVEN, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, EMITTED,
+    EMITTED_ANY, EMITTED_NONE, ESCAPING, ESCAPING_NONE, FILTER_FAR, FILTER_GUIDE, FILTER_LEVEL,
+    FILTER_NEAR, FILTER_PARAMS, FILTER_SURFACES, FILTER_TO_POINTS, FILTER_TO_TABLE, GUIDE,
+    GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, HEMISPHERE, HIT_POINT, LIGHT_KINDS, LOBE_RAYS,
+    LOBE_SAMPLE, MEAN, MIS, ONE_SURFACE, PACK_LIGHT, PACK_SURFACES, PIXELS, RAY, RAY_COUNTS,
+    RAYS_ALIKE, RAYS_COUNTED, RECEIVER_LOBED, RECEIVER_PLAIN, SAMPLING, SPHERE_CONE, TABLE,
     TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
 };
 use super::gather::{surface, surface_code};
-use super::lights::{light_strata, lights_of};
-use super::materials::{gathered, lobes};
+use super::lights::{light_strata, lights_of, sky};
+use super::materials::{emission_scale_at, gathered, lobes};
 use super::trace::{rays, shape};
 use crate::gpu::{Module, Program};
 use crate::render::features::Target;
@@ -42,6 +45,13 @@ pub enum LightRays {
     Counted,
 }
 
+impl LightRays {
+    /// How many a point takes.
+    fn counts(self) -> &'static Module {
+        if self == Self::Counted { &RAYS_COUNTED } else { &RAYS_ALIKE }
+    }
+}
+
 /// Direct light from all lights of some extent. From triangles that are near to surfaces, places are
 /// drawn by solid angle.
 pub fn direct_sampled(target: Target, kinds: &[LightKind], near: bool, by: LightRays) -> Program {
@@ -50,13 +60,50 @@ pub fn direct_sampled(target: Target, kinds: &[LightKind], near: bool, by: Light
     modules.extend(rays(target));
     modules.push(&DIRECT_PARAMS);
     modules.extend(light_strata(target, kinds, place(near)));
+    match target.features.phong {
+        true => {
+            modules.extend([&LIGHT_KINDS, &MEAN, &MIS, &HEMISPHERE, &LOBE_SAMPLE, &RECEIVER_LOBED])
+        }
+        false => modules.push(&RECEIVER_PLAIN),
+    }
+    modules.push(by.counts());
     match by {
-        LightRays::Even => modules.extend([&RAYS_ALIKE, &CHOOSE_STRATUM_EVEN]),
-        LightRays::Guided => modules.extend([&RAYS_ALIKE, &TABLE, &CHOOSE_STRATUM]),
-        LightRays::Counted => modules.extend([&RAYS_COUNTED, &TABLE, &CHOOSE_STRATUM]),
+        LightRays::Even => modules.push(&CHOOSE_STRATUM_EVEN),
+        LightRays::Guided | LightRays::Counted => modules.extend([&TABLE, &CHOOSE_STRATUM]),
     }
     modules.push(&DIRECT_SAMPLED);
     Program::new("direct light, samples", modules)
+}
+
+/// What rays by the lobes of glossy surfaces find of the lights of these kinds; nothing in scenes
+/// without lobes.
+pub fn direct_lobe_rays(target: Target, kinds: &[LightKind], by: LightRays) -> Option<Program> {
+    if !target.features.phong {
+        return None;
+    }
+    let has = |kind| kinds.contains(&kind);
+    let mut modules = vec![&TYPES, &SAMPLING, &HEMISPHERE, &MEAN, &MIS];
+    modules.extend(lobes(target));
+    modules.push(&LOBE_SAMPLE);
+    modules.extend(rays(target));
+    modules.push(&DIRECT_PARAMS);
+    if has(LightKind::Area) || has(LightKind::Sphere) {
+        modules.extend(corners(target));
+        modules.push(&HIT_POINT);
+        modules.extend(emission_scale_at(target.features));
+        match has(LightKind::Sphere) {
+            true => modules.extend([&SPHERE_CONE, &EMITTED_ANY]),
+            false => modules.push(&EMITTED),
+        }
+    } else {
+        modules.push(&EMITTED_NONE);
+    }
+    match sky(target).filter(|_| has(LightKind::Environment)) {
+        Some(sky) => modules.extend([&sky[..], &[&ESCAPING]].concat()),
+        None => modules.push(&ESCAPING_NONE),
+    }
+    modules.extend([by.counts(), &LOBE_RAYS]);
+    Some(Program::new("direct light, lobes", modules))
 }
 
 /// What the strata of the lights give unshadowed to blocks of pixels.

@@ -1,11 +1,12 @@
 //! How places on the lights of each kind are drawn: the modules that lights choose.
 
 use super::catalogue::{
-    AREA_LIGHT, AREA_LIGHT_NONE, DIRECTIONAL_LIGHT, ENVIRONMENT_CELLS, ENVIRONMENT_CONSTANT,
-    ENVIRONMENT_IMAGE, ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE, ENVIRONMENT_LIGHT_NONE,
-    HEMISPHERE, LIGHT_SAMPLE, LIGHT_STRATA, LOCAL_LIGHT, ONLY_AREA, ONLY_ENVIRONMENT, ONLY_SPHERE,
-    POINT_LIGHT, SEVERAL_KINDS, SPHERE_CONE, SPHERE_LIGHT, SPHERE_LIGHT_NONE, SPOT_LIGHT, TABLE,
-    TRIANGLE_AREA,
+    AREA_LIGHT, AREA_LIGHT_NONE, DELTA_LIGHT, DIRECTIONAL_LIGHT, ENVIRONMENT_CELLS,
+    ENVIRONMENT_CONSTANT, ENVIRONMENT_IMAGE, ENVIRONMENT_LIGHT_CONSTANT, ENVIRONMENT_LIGHT_IMAGE,
+    ENVIRONMENT_LIGHT_NONE, HEMISPHERE, LIGHT_KINDS, LIGHT_SAMPLE, LIGHT_STRATA, LOCAL_LIGHT,
+    ONLY_AREA, ONLY_ENVIRONMENT, ONLY_SPHERE, POINT_LIGHT, SEVERAL_KINDS, SPHERE_CONE,
+    SPHERE_LIGHT, SPHERE_LIGHT_NONE, SPOT_LIGHT, STRATUM_ANY, STRATUM_DELTA, STRATUM_EXTENDED,
+    TABLE, TRIANGLE_AREA,
 };
 use super::materials::light_emission_scale;
 use crate::gpu::Module;
@@ -28,23 +29,38 @@ pub fn lights_of(target: Target, kind: LightKind) -> Vec<&'static Module> {
     }
 }
 
-/// What a kernel needs to draw from the strata of all lights that have some extent; `place` says
-/// where on a triangle.
+/// What a kernel needs to draw from the strata of lights of these kinds; `place` says where on a
+/// triangle. Lights without extent are of one table, whatever they are.
 pub fn light_strata(
     target: Target,
     kinds: &[LightKind],
     place: &'static Module,
 ) -> Vec<&'static Module> {
-    if let [kind] = kinds {
-        let mut modules = match kind {
-            LightKind::Area => {
-                [&[&LIGHT_SAMPLE][..], &area_lights(target, place), &[&ONLY_AREA]].concat()
-            }
-            kind => lights_of(target, *kind),
-        };
-        modules.extend([&TABLE, &LIGHT_STRATA]);
-        return modules;
+    let (delta, extended): (Vec<_>, Vec<_>) =
+        kinds.iter().copied().partition(|kind: &LightKind| kind.is_exact());
+    let mut modules = match extended[..] {
+        [] => vec![&LIGHT_SAMPLE],
+        [LightKind::Area] => {
+            [&[&LIGHT_SAMPLE][..], &area_lights(target, place), &[&ONLY_AREA]].concat()
+        }
+        [kind] => lights_of(target, kind),
+        _ => several_kinds(target, &extended, place),
+    };
+    modules.extend([&TABLE, &LIGHT_STRATA]);
+    match (delta.is_empty(), extended.is_empty()) {
+        (true, _) => modules.push(&STRATUM_EXTENDED),
+        (false, true) => modules.extend([&DELTA_LIGHT, &STRATUM_DELTA]),
+        (false, false) => modules.extend([&LIGHT_KINDS, &DELTA_LIGHT, &STRATUM_ANY]),
     }
+    modules
+}
+
+/// Lights of some extent, of several kinds.
+fn several_kinds(
+    target: Target,
+    kinds: &[LightKind],
+    place: &'static Module,
+) -> Vec<&'static Module> {
     let has = |kind| kinds.contains(&kind);
     let mut modules: Vec<&Module> = vec![&LIGHT_SAMPLE];
     match has(LightKind::Area) {
@@ -59,7 +75,7 @@ pub fn light_strata(
         true => modules.extend(environment(target)),
         false => modules.push(&ENVIRONMENT_LIGHT_NONE),
     }
-    modules.extend([&SEVERAL_KINDS, &TABLE, &LIGHT_STRATA]);
+    modules.extend([&LIGHT_KINDS, &SEVERAL_KINDS]);
     modules
 }
 

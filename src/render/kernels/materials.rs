@@ -1,12 +1,12 @@
 //! What is at the places that rays hit: the modules that textures and BSDFs choose.
 
 use super::catalogue::{
-    ALBEDO_PLAIN, ALBEDO_TEXTURED, BSDF, EMISSION_SCALE_NONE, EMISSION_SCALE_TEXTURED, FOOTPRINT,
-    GATHERED_DIFFUSE, GATHERED_PHONG, LIGHT_SCALE_NONE, LIGHT_SCALE_TEXTURED, LOBE_ENERGY,
-    LOBES_DIFFUSE, LOBES_PHONG, MATERIAL_TEXTURES, MATERIAL_TEXTURES_FILTERED, PHONG,
-    SCATTER_DIFFUSE, SCATTER_PHONG, STORE_ALBEDO, STORE_ALBEDO_NONE, STORE_EMISSION_SCALE,
-    STORE_EMISSION_SCALE_NONE, TEXTURE_FILTERED, UV_DIFFERENCE, UV_DIFFERENCE_ANY,
-    UV_DIFFERENCE_TRIANGLE, VIEW_DIRECTION,
+    ALBEDO_PLAIN, ALBEDO_TEXTURED, BSDF, EMISSION_SCALE_AT, EMISSION_SCALE_AT_NONE,
+    EMISSION_SCALE_NONE, EMISSION_SCALE_TEXTURED, FOOTPRINT, GATHERED_DIFFUSE, GATHERED_PHONG,
+    LIGHT_SCALE_NONE, LIGHT_SCALE_TEXTURED, LOBE_ENERGY, LOBE_SAMPLE, LOBES_DIFFUSE, LOBES_PHONG,
+    MATERIAL_TEXTURES, MATERIAL_TEXTURES_FILTERED, PHONG, SCATTER_DIFFUSE, SCATTER_PHONG,
+    STORE_ALBEDO, STORE_ALBEDO_NONE, STORE_EMISSION_SCALE, STORE_EMISSION_SCALE_NONE,
+    TEXTURE_FILTERED, UV_DIFFERENCE, UV_DIFFERENCE_ANY, UV_DIFFERENCE_TRIANGLE, VIEW_DIRECTION,
 };
 use super::trace::textures;
 use crate::gpu::Module;
@@ -20,6 +20,14 @@ pub fn albedo(features: Features) -> &'static Module {
 /// What the emission of points is multiplied by.
 pub fn emission_scale(features: Features) -> &'static Module {
     if features.emission_textures { &EMISSION_SCALE_TEXTURED } else { &EMISSION_SCALE_NONE }
+}
+
+/// What the emission where a ray has hit is multiplied by.
+pub fn emission_scale_at(features: Features) -> Vec<&'static Module> {
+    match features.emission_textures {
+        true => [&textures(features)[..], &[&MATERIAL_TEXTURES, &EMISSION_SCALE_AT]].concat(),
+        false => vec![&EMISSION_SCALE_AT_NONE],
+    }
 }
 
 /// What the radiance of area lights is multiplied by.
@@ -81,7 +89,15 @@ pub fn lobes(target: Target) -> Vec<&'static Module> {
 /// How surfaces scatter light.
 pub fn scatter(target: Target) -> Vec<&'static Module> {
     match target.features.phong {
-        true => vec![&GATHERED_PHONG, &BSDF, &PHONG, &LOBE_ENERGY, &LOBES_PHONG, &SCATTER_PHONG],
+        true => vec![
+            &GATHERED_PHONG,
+            &BSDF,
+            &PHONG,
+            &LOBE_ENERGY,
+            &LOBES_PHONG,
+            &LOBE_SAMPLE,
+            &SCATTER_PHONG,
+        ],
         false => vec![&SCATTER_DIFFUSE],
     }
 }

@@ -25,6 +25,8 @@ const LEAST_SHARE: f64 = 1e-3;
 pub struct EnvironmentLight {
     radiance: Vec3,
     cells: Option<Cells>,
+    /// Its integral over all directions, mean of the channels.
+    pub radiance_integral: f64,
     /// What goes through the discs across a sphere around the scene, mean of the channels.
     pub power: f64,
 }
@@ -51,7 +53,12 @@ impl EnvironmentLight {
                 (all, Some(cells))
             }
         };
-        Some(Self { radiance, cells, power: all * PI * f64::from(bounds.radius).powi(2) })
+        Some(Self {
+            radiance,
+            cells,
+            radiance_integral: all,
+            power: all * PI * f64::from(bounds.radius).powi(2),
+        })
     }
 
     /// Whether it has one radiance everywhere.

@@ -1,6 +1,7 @@
 //! Strata of all lights that have some extent: what one choice among lamps, emitting meshes and parts
 //! of the sky is made from.
 
+use super::delta;
 use super::kind::LightKind;
 use crate::gpu::LightStratumRecord;
 
@@ -14,11 +15,14 @@ const SKY_STRATA: [u32; 2] = [16, 16];
 /// Strata of the emitting triangles, or of the spheres, at least and at most: powers of two.
 const LEAST_STRATA: u32 = 8;
 const MOST_STRATA: u32 = 64;
+/// All strata, at most: as `MOST_STRATA` of `shaders/direct/guide_params.wgsl`.
+const MOST_OF_ALL: u32 = 448;
 
 /// The strata, in the order of their table.
 #[derive(Debug, Clone, Default)]
 pub struct LightStrata {
-    /// A record each. Of the strata of a kind, all have the same probability in the square.
+    /// A record each. Of the strata of a kind that has some extent, all have the same probability in
+    /// the square.
     pub records: Vec<LightStratumRecord>,
     /// How many of an even sky are the first of all; the last is then the same sky by the cosine at
     /// the point. 0 where there is no such sky.
@@ -44,6 +48,13 @@ impl LightStrata {
                 _ => {}
             }
         }
+        let is_far = |kind| kind == LightKind::Directional;
+        let deltas = || kinds.iter().filter(|(kind, _)| kind.is_exact());
+        let delta = [false, true].map(|far| {
+            deltas().filter(|(kind, _)| is_far(*kind) == far).map(|(_, lights)| lights).sum::<u32>()
+        });
+        let room = MOST_OF_ALL - strata.records.len() as u32 - 1;
+        strata.records.extend(delta::strata(delta, room));
         if strata.even_sky > 0 {
             strata.add(HEMISPHERE, [1, 1]);
         }

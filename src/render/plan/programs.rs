@@ -97,11 +97,12 @@ impl Plan {
             let shade = shade(target, false, settings.sharing(), emitter);
             programs.extend([self.visibility_program(emitter), shade]);
         }
-        let (exact, sampled): (Vec<_>, Vec<_>) =
-            self.kinds().filter(|&kind| shared(kind).is_none()).partition(|kind| kind.is_exact());
+        let kinds = self.kinds().filter(|&kind| shared(kind).is_none());
+        let [exact, sampled] = self.lights.part(kinds, settings);
         programs.extend(exact.into_iter().map(|kind| self.direct_exact_program(kind)));
         if !sampled.is_empty() {
             programs.push(self.direct_sampled_program(&sampled, settings));
+            programs.extend(self.direct_lobe_program(&sampled, settings));
             if settings.few_light_samples() {
                 programs.extend(self.direct_guide_programs(&sampled));
             }
@@ -119,12 +120,7 @@ impl Plan {
 
     /// Direct light from the lights of kinds that have some: samples.
     pub fn direct_sampled_program(&self, kinds: &[LightKind], settings: &Settings) -> Program {
-        let by = match settings.few_light_samples() {
-            false => LightRays::Even,
-            true if settings.counts_light_samples() => LightRays::Counted,
-            true => LightRays::Guided,
-        };
-        kernels::direct_sampled(self.target(), kinds, self.near_lights, by)
+        kernels::direct_sampled(self.target(), kinds, self.near_lights, light_rays(settings))
     }
 
     /// What guides them: unshadowed light, pilot rays, and the guide.
@@ -135,6 +131,11 @@ impl Plan {
             kernels::guide_pilot(target, kinds, near),
             kernels::guide(),
         ]
+    }
+
+    /// What rays by the lobes of glossy surfaces find of the lights of kinds that have some extent.
+    pub fn direct_lobe_program(&self, kinds: &[LightKind], settings: &Settings) -> Option<Program> {
+        kernels::direct_lobe_rays(self.target(), kinds, light_rays(settings))
     }
 
     /// The filter of direct light: surfaces, counts of light samples, light, local means, and levels
@@ -173,5 +174,14 @@ impl Plan {
     pub fn has_segments(&self, settings: &Settings) -> bool {
         let happens = self.lights.have_surfaces() || self.features.sky.shines();
         settings.bounces != Bounces::Finite(0) || (happens && settings.direct != Direct::Off)
+    }
+}
+
+/// How light samples are drawn with these settings.
+fn light_rays(settings: &Settings) -> LightRays {
+    match settings.few_light_samples() {
+        false => LightRays::Even,
+        true if settings.counts_light_samples() => LightRays::Counted,
+        true => LightRays::Guided,
     }
 }

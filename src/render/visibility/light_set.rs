@@ -3,8 +3,9 @@
 use bytemuck::Zeroable;
 use glam::Vec3;
 
+use crate::cluster::morton;
 use crate::gpu::{GlossyVplRecord, GpuError, Texture, VplRecord};
-use crate::render::clusters::{VplClusters, morton};
+use crate::render::clusters::VplClusters;
 use crate::render::kernels::Emitter;
 use crate::render::prepared::Prepared;
 use crate::render::virtual_light::{GlossyLobe, VirtualLight};
