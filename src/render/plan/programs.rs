@@ -4,7 +4,8 @@ use super::Plan;
 use crate::gpu::Program;
 use crate::render::kernels::{
     self, Emitter, antialias, background, clamped_energy, compensation, discontinuity_buffer, emit,
-    expand, join_subsets, path, reflect, resolve, shade, show, split_subsets, visible_points,
+    expand, first_rays, join_subsets, link_rays, path, reflect, replace_points, resolve,
+    resolve_rays, shade, show, split_subsets, unseen_surfaces, visible_points,
 };
 use crate::render::lights::LightKind;
 use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
@@ -28,10 +29,12 @@ impl Plan {
             return programs;
         }
         match settings.antialiases() {
-            true => programs.push(antialias(target)),
-            false => programs.extend(target.features.specular().then(|| resolve(target))),
+            true => programs.extend(self.antialiasing_programs(settings)),
+            false => {
+                programs.extend(target.features.specular().then(|| resolve(target)));
+                programs.extend(self.emission_programs());
+            }
         }
-        programs.extend(self.emission_programs());
         if settings.direct != Direct::Off {
             programs.extend(self.direct_programs(settings));
             programs.push(reflect(target));
@@ -58,6 +61,19 @@ impl Plan {
             }
         }
         programs
+    }
+
+    /// Those that antialias; their rays find emission and background, too.
+    fn antialiasing_programs(&self, settings: &Settings) -> Vec<Program> {
+        let (target, emits) = (self.target_of(settings), self.lights.have_surfaces());
+        vec![
+            first_rays(target, emits),
+            unseen_surfaces(),
+            replace_points(target),
+            link_rays(),
+            resolve_rays(target, emits),
+            antialias(target, emits),
+        ]
     }
 
     /// Those of [`Method::Path`].
