@@ -16,20 +16,20 @@ const CONTRAST = 0.25;
 var<workgroup> beam_sums: array<vec3f, 512>;
 
 // Whether surfaces meet here, as the pixels around tell.
-fn surfaces_meet(pixel: vec2u) -> bool {
-    var meet = (meetings[place_of(pixel)] & 1u) != 0u;
+fn surfaces_meet(tile: TilePixels, pixel: vec2u) -> bool {
+    var meet = (meetings[place_of(tile, pixel)] & 1u) != 0u;
     for (var i = 0u; i < 9u; i++) {
-        meet = meet || (i != OWN && (meetings[place_of(around(pixel, i))] & 2u) != 0u);
+        meet = meet || (i != OWN && (meetings[place_of(tile, around(tile, pixel, i))] & 2u) != 0u);
     }
     return meet;
 }
 
-fn radiances_differ(pixel: vec2u) -> bool {
+fn radiances_differ(tile: TilePixels, pixel: vec2u) -> bool {
     var low = vec3f(HUGE);
     var high = vec3f(0.0);
     for (var i = 0u; i < 9u; i++) {
-        let other = around(pixel, i);
-        let range = ranges[place_of(other)];
+        let other = around(tile, pixel, i);
+        let range = ranges[place_of(tile, other)];
         let is = any(other != pixel);
         low = select(low, min(low, unpack_radiance(range.x)), is);
         high = select(high, max(high, unpack_radiance(range.y)), is);
@@ -40,16 +40,16 @@ fn radiances_differ(pixel: vec2u) -> bool {
     return most > CONTRAST * max(mean.x, max(mean.y, mean.z));
 }
 
-fn is_edge(pixel: vec2u, own: u32) -> bool {
+fn is_edge(tile: TilePixels, pixel: vec2u, own: u32) -> bool {
     var edge = stored_throughput(own).w > 0.0;
     // A loop, as a branch that no invocation takes is not skipped everywhere.
-    let rounds = select(0u, 1u, surfaces_meet(pixel));
-    for (var round = 0u; round < rounds; round++) { edge = edge || radiances_differ(pixel); }
+    let rounds = select(0u, 1u, surfaces_meet(tile, pixel));
+    for (var round = 0u; round < rounds; round++) { edge = edge || radiances_differ(tile, pixel); }
     return edge;
 }
 
 // The sum of what the rays of a beam see, those of them that are wanted.
-fn beam_sum(own: u32, first: u32, end: u32, invocation: u32) -> vec3f {
+fn beam_sum(tile: TilePixels, own: u32, first: u32, end: u32, invocation: u32) -> vec3f {
     let pixel = pixel_of(own, params.first_block, params.width);
     let stream = ray_stream(pixel);
     let beam = pixel_beam(pixel, stream, first, end);
@@ -71,7 +71,7 @@ fn beam_sum(own: u32, first: u32, end: u32, invocation: u32) -> vec3f {
         let light = seen_without_light(chain.hit, point, chain.direction, width);
         sum += select(vec3f(0.0), light * throughput_of(chain), is);
     }
-    let codes = linked(pixel, RaySurfaces(
+    let codes = linked(tile, pixel, RaySurfaces(
         unpack_surface(surfaces[0]),
         unpack_surface(surfaces[1]),
         unpack_surface(surfaces[2]),
@@ -79,7 +79,7 @@ fn beam_sum(own: u32, first: u32, end: u32, invocation: u32) -> vec3f {
     ));
     for (var i = 0u; i < BEAM_RAYS; i++) {
         if codes[i] != NO_LIGHT {
-            sum += radiance[point_at(around(pixel, codes[i]))].rgb * throughputs[i];
+            sum += radiance[point_at(tile, around(tile, pixel, codes[i]))].rgb * throughputs[i];
         }
     }
     return sum;
@@ -92,9 +92,10 @@ fn main(
     @builtin(local_invocation_index) invocation: u32,
 ) {
     let own = min(id.x, params.blocks * 64u - 1u);
+    let tile = tile_pixels();
     let pixel = pixel_of(own, params.first_block, params.width);
     var edge = id.x == own && pixel.x < params.width && pixel.y < params.height;
-    if edge { edge = is_edge(pixel, own); }
+    if edge { edge = is_edge(tile, pixel, own); }
     let listed = list_points(edge, own, invocation);
 
     // The beams of all edges, one after the other: a subgroup has no idle lanes but the last.
@@ -108,7 +109,7 @@ fn main(
         // A loop: subgroups without beams are done.
         let rounds = select(0u, 1u, some_ray(last != 0u));
         for (var round = 0u; round < rounds; round++) {
-            let sum = beam_sum(listed_points[beam / beams], ray, last, invocation);
+            let sum = beam_sum(tile, listed_points[beam / beams], ray, last, invocation);
             if last != 0u { beam_sums[beam] = sum; }
         }
     }
@@ -123,7 +124,7 @@ fn main(
         // The film has the mean of the first rays, which now are some among more.
         if params.first_ray == first {
             let excess = f32(params.edge_rays - first) / f32(first);
-            sum -= first_radiance(pixel, own).sum * excess;
+            sum -= first_radiance(tile, pixel, own).sum * excess;
         }
         film[own] += vec4f(sum / f32(params.edge_rays), 0.0);
     }

@@ -10,7 +10,7 @@ struct FirstRadiance {
     high: vec3f,
 }
 
-fn first_radiance(pixel: vec2u, own: u32) -> FirstRadiance {
+fn first_radiance(tile: TilePixels, pixel: vec2u, own: u32) -> FirstRadiance {
     let rays = first_rays();
     let codes = ray_codes[own];
     let light = radiance[own].rgb;
@@ -31,7 +31,7 @@ fn first_radiance(pixel: vec2u, own: u32) -> FirstRadiance {
         if code != OWN {
             var seen = vec3f(0.0);
             if code != NO_LIGHT {
-                seen = radiance[point_at(around(pixel, code))].rgb * ray_throughput(own, ray);
+                seen = radiance[point_at(tile, around(tile, pixel, code))].rgb * ray_throughput(own, ray);
             }
             sum += seen;
             low = min(low, seen);

@@ -13,6 +13,7 @@ fn main(
     @builtin(local_invocation_index) invocation: u32,
 ) {
     let own = min(id.x, params.blocks * 64u - 1u);
+    let tile = tile_pixels();
     let pixel = pixel_of(own, params.first_block, params.width);
     let is = id.x == own && pixel.x < params.width && pixel.y < params.height;
     let rays = first_rays();
@@ -40,7 +41,7 @@ fn main(
         throughputs[i] = pack_throughput(throughput_of(chain));
     }
     if is {
-        pixel_surfaces[place_of(pixel)] = packed;
+        pixel_surfaces[place_of(tile, pixel)] = packed;
         ray_codes[own] = select(NOT_LINKED, ALL_OWN, alone);
         store_ray_emission(own, emitted);
         store_ray_throughputs(own, throughputs);

@@ -8,18 +8,19 @@
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.blocks * 64u { return; }
+    let tile = tile_pixels();
     let pixel = pixel_of(id.x, params.first_block, params.width);
     if pixel.x >= params.width || pixel.y >= params.height { return; }
-    let own = surface_around(pixel, OWN);
+    let own = surface_around(tile, pixel, OWN);
     var meet = false;
-    for (var i = 0u; i < 9u; i++) { meet = meet || !alike(own, surface_around(pixel, i)); }
+    for (var i = 0u; i < 9u; i++) { meet = meet || !alike(own, surface_around(tile, pixel, i)); }
     var codes = ray_codes[id.x];
     // A loop, as a branch that no invocation takes is not skipped everywhere.
     let rounds = select(0u, 1u, codes == NOT_LINKED);
     for (var round = 0u; round < rounds; round++) {
-        let by_ray = linked(pixel, stored_rays(id.x));
+        let by_ray = linked(tile, pixel, stored_rays(id.x));
         codes = by_ray.x | (by_ray.y << 8u) | (by_ray.z << 16u) | (by_ray.w << 24u);
         ray_codes[id.x] = codes;
     }
-    meetings[place_of(pixel)] = select(0u, 1u, meet) | select(0u, 2u, codes != ALL_OWN);
+    meetings[place_of(tile, pixel)] = select(0u, 1u, meet) | select(0u, 2u, codes != ALL_OWN);
 }

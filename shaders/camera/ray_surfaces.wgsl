@@ -11,8 +11,8 @@ struct RaySurfaces {
 }
 
 // The surface of the visible point of the i-th of the pixels around one.
-fn surface_around(pixel: vec2u, i: u32) -> SeenSurface {
-    return unpack_surface(pixel_surfaces[place_of(around(pixel, i))]);
+fn surface_around(tile: TilePixels, pixel: vec2u, i: u32) -> SeenSurface {
+    return unpack_surface(pixel_surfaces[place_of(tile, around(tile, pixel, i))]);
 }
 
 // More than any squared distance in normalised units, and little more: what is added is not lost.
@@ -29,11 +29,11 @@ fn unlikeness(seen: SeenSurface, other: SeenSurface) -> f32 {
 
 // Which of the points around a pixel gives its light to each of four rays: its own, if that is on
 // the same surface; NO_LIGHT for none.
-fn linked(pixel: vec2u, rays: RaySurfaces) -> vec4u {
+fn linked(tile: TilePixels, pixel: vec2u, rays: RaySurfaces) -> vec4u {
     var best = vec4u(NO_LIGHT);
     var least = vec4f(HUGE);
     for (var i = 0u; i < 9u; i++) {
-        let other = surface_around(pixel, i);
+        let other = surface_around(tile, pixel, i);
         let apart = vec4f(
             unlikeness(rays.s0, other),
             unlikeness(rays.s1, other),

@@ -7,12 +7,12 @@
 @group(0) @binding(104) var<storage, read> unseen: array<u32>;
 
 // Whether a pixel whose words `unseen_surfaces` left may have another point.
-fn may_change(pixel: vec2u, found: u32) -> bool {
+fn may_change(tile: TilePixels, pixel: vec2u, found: u32) -> bool {
     // Of two that want to, one of the fields of a chessboard goes first.
     let first = ((pixel.x + pixel.y) & 1u) == 0u;
-    var kept = pixel_surfaces[place_of(pixel)].w == 0u;
+    var kept = pixel_surfaces[place_of(tile, pixel)].w == 0u;
     for (var i = 0u; i < 9u; i++) {
-        let stays = (unseen[place_of(around(pixel, i))] & 15u) == 0u || (first && (i & 1u) == 1u);
+        let stays = (unseen[place_of(tile, around(tile, pixel, i))] & 15u) == 0u || (first && (i & 1u) == 1u);
         kept = kept || (((found >> (4u + i)) & 1u) != 0u && stays);
     }
     return kept;
@@ -25,13 +25,14 @@ fn main(
     @builtin(local_invocation_index) invocation: u32,
 ) {
     let own = min(id.x, params.blocks * 64u - 1u);
+    let tile = tile_pixels();
     let pixel = pixel_of(own, params.first_block, params.width);
     let is = id.x == own && pixel.x < params.width && pixel.y < params.height;
     var found = 0u;
-    if is { found = unseen[place_of(pixel)]; }
+    if is { found = unseen[place_of(tile, pixel)]; }
     let rounds = select(0u, 1u, some_ray((found & 15u) != 0u));
     for (var round = 0u; round < rounds; round++) {
-        let changes = (found & 15u) != 0u && may_change(pixel, found);
+        let changes = (found & 15u) != 0u && may_change(tile, pixel, found);
         let ray = max(found & 15u, 1u) - 1u;
         let stream = ray_stream(pixel);
         let direction = ray_direction(pixel, stream, ray);
@@ -43,7 +44,7 @@ fn main(
             let point = hit_point(chain.hit, chain.direction);
             let way = ray_offset(point, chain.direction, params.offset);
             points[own] = with_view_direction(point, way);
-            pixel_surfaces[place_of(pixel)] = pack_surface(point);
+            pixel_surfaces[place_of(tile, pixel)] = pack_surface(point);
             let width = pixel_spread(direction) * length_of(chain);
             store_albedo(own, chain.hit, point, chain.direction, width);
             store_emission_scale(own, chain.hit, point, chain.direction, width);

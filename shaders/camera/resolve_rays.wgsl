@@ -6,9 +6,10 @@
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     if id.x >= params.blocks * 64u { return; }
+    let tile = tile_pixels();
     let pixel = pixel_of(id.x, params.first_block, params.width);
     if pixel.x >= params.width || pixel.y >= params.height { return; }
-    let first = first_radiance(pixel, id.x);
+    let first = first_radiance(tile, pixel, id.x);
     film[id.x] += vec4f(first.sum / f32(first_rays()), 0.0);
-    ranges[place_of(pixel)] = vec2u(pack_radiance(first.low), pack_radiance(first.high));
+    ranges[place_of(tile, pixel)] = vec2u(pack_radiance(first.low), pack_radiance(first.high));
 }
