@@ -24,7 +24,6 @@ fn main(
     let surface = unpack_surface(packed);
     var alone = true;
     var emitted = no_emission();
-    var throughputs = vec4u(0u);
     for (var i = 0u; i < rays; i++) {
         let direction = beam_direction(beam, i);
         let chain = specular_chain_from(
@@ -38,12 +37,11 @@ fn main(
         let width = ray_spread(direction) * length_of(chain);
         let light = seen_without_light(chain.hit, point, chain.direction, width);
         emitted = with_emission(emitted, light * throughput_of(chain));
-        throughputs[i] = pack_throughput(throughput_of(chain));
+        if is { store_ray_throughput(own, i, throughput_of(chain)); }
     }
     if is {
         pixel_surfaces[place_of(tile, pixel)] = packed;
         ray_codes[own] = select(NOT_LINKED, ALL_OWN, alone);
         store_ray_emission(own, emitted);
-        store_ray_throughputs(own, throughputs);
     }
 }

@@ -2,7 +2,7 @@
 
 @group(0) @binding(103) var<storage, read_write> ray_codes: array<u32>;
 // In the order of pixels, 1 if some pixel around sees another surface, and 2 if some ray of the
-// pixel has another's light.
+// pixel has another's light or sees some that is not reflected.
 @group(0) @binding(105) var<storage, read_write> meetings: array<u32>;
 
 @compute @workgroup_size(64)
@@ -22,5 +22,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         codes = by_ray.x | (by_ray.y << 8u) | (by_ray.z << 16u) | (by_ray.w << 24u);
         ray_codes[id.x] = codes;
     }
-    meetings[place_of(tile, pixel)] = select(0u, 1u, meet) | select(0u, 2u, codes != ALL_OWN);
+    let alone = codes == ALL_OWN && stored_ray_emission(id.x).high <= 0.0;
+    meetings[place_of(tile, pixel)] = select(0u, 1u, meet) | select(2u, 0u, alone);
 }

@@ -37,7 +37,7 @@ pub use visibility::{Emitter, expand, rays_at_once, visibility};
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![expand(), split_subsets(), guide(), unseen_surfaces(), link_rays()];
+    let mut programs = vec![expand(), split_subsets(), guide(), unseen_surfaces()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             // Literals are of triangles alone.
@@ -48,7 +48,7 @@ pub fn all_programs() -> Vec<Program> {
         programs.extend([false, true].map(|lit| visible_points(target, lit)));
         for emits in [false, true] {
             programs.extend([first_rays(target, emits), antialias(target, emits)]);
-            programs.push(resolve_rays(target, emits));
+            programs.extend([link_rays(target, emits), resolve_rays(target, emits)]);
         }
         programs.extend([replace_points(target), resolve(target)]);
         programs.extend([emit(target), reflect(target), discontinuity_buffer(target)]);

@@ -42,19 +42,22 @@ impl<'a> Antialiasing<'a> {
         let FrameSetup { prepared, settings, .. } = *setup;
         let (target, emits) = (prepared.target_of(settings), prepared.lights.have_surfaces());
         let (gpu, points) = (&prepared.gpu, setup.most_points());
-        let buffers = [
-            ("ray_emission", gpu.storage::<[u32; 4]>("emission to rays", points)?),
+        let rays = points * MOST_FIRST as usize;
+        let mut buffers = vec![
             ("pixel_surfaces", gpu.storage::<[u32; 4]>("surfaces of pixels", points)?),
-            (
-                "ray_surfaces",
-                gpu.storage::<[u32; 4]>("surfaces of rays", points * MOST_FIRST as usize)?,
-            ),
+            ("ray_surfaces", gpu.storage::<[u32; 4]>("surfaces of rays", rays)?),
             ("ray_codes", gpu.storage::<u32>("links of rays", points)?),
             ("unseen", gpu.storage::<u32>("unseen surfaces", points)?),
             ("meetings", gpu.storage::<u32>("meetings of surfaces", points)?),
-            ("ray_throughputs", gpu.storage::<[u32; 4]>("throughputs of rays", points)?),
             ("ranges", gpu.storage::<[u32; 2]>("ranges of radiance", points)?),
         ];
+        if emits || target.features.sky.shines() {
+            buffers.push(("ray_emission", gpu.storage::<[u32; 4]>("emission to rays", points)?));
+        }
+        if target.features.specular() {
+            let throughputs = gpu.storage::<[f32; 4]>("throughputs of rays", rays)?;
+            buffers.push(("ray_throughputs", throughputs));
+        }
         let mut named = tile.named(prepared);
         named.extend(buffers.iter().map(|(name, buffer)| (*name, buffer)));
         let bind = |program| Stage::new(prepared, &program, &named);
@@ -64,7 +67,7 @@ impl<'a> Antialiasing<'a> {
             first: bind(first_rays(target, emits))?,
             unseen: bind(unseen_surfaces())?,
             replace: bind(replace_points(target))?,
-            link: bind(link_rays())?,
+            link: bind(link_rays(target, emits))?,
             resolve: bind(resolve_rays(target, emits))?,
             more: bind(antialias(target, emits))?,
             at_once: at_once.min(MOST_RAYS),

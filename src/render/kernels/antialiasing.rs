@@ -47,8 +47,9 @@ pub fn replace_points(target: Target) -> Program {
 }
 
 /// Which visible points give their light to the first rays.
-pub fn link_rays() -> Program {
-    Program::new("links of rays", around(&[&STORED_RAYS, &LINK_RAYS]))
+pub fn link_rays(target: Target, emits: bool) -> Program {
+    let last = [ray_light(target, emits), &STORED_RAYS, &LINK_RAYS];
+    Program::new("links of rays", around(&last))
 }
 
 /// What the first rays see, to the film.

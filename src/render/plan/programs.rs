@@ -70,7 +70,7 @@ impl Plan {
             first_rays(target, emits),
             unseen_surfaces(),
             replace_points(target),
-            link_rays(),
+            link_rays(target, emits),
             resolve_rays(target, emits),
             antialias(target, emits),
         ]
