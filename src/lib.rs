@@ -22,7 +22,8 @@
 //!    of `shaders/` of the same name:
 //! 4. **VPLs** (`vpls`): the host traces light paths; each hit deposits a virtual point light.
 //! 5. **Visible points** (`camera`): camera rays, for each sample of every pixel of a tile; they go
-//!    on at mirrors and glass.
+//!    on at mirrors and glass. A few more rays of each pixel find what is thinner than a pixel, for
+//!    which some visible points make room.
 //! 6. **Direct light** (`direct`): shadow rays to point, spot and directional lights, and to samples
 //!    of all other lights, which a guide of each block of pixels draws. Samples are combined over
 //!    pixels of one surface, as far as they are noise. What stages have gathered at visible points
@@ -36,8 +37,8 @@
 //!    subsets of them, which the pixels around it complete.
 //!    The bound on near VPLs takes light away; bias compensation gives it back by short paths where
 //!    the settings ask for that (`compensation`). `indirect` puts these together.
-//! 10. **Antialiasing** (`camera`): where surfaces meet in a pixel, more camera rays weigh the
-//!     radiance of the visible points around.
+//! 10. **Antialiasing** (`camera`): a pixel's rays weigh the radiance of the visible points around;
+//!     where surfaces of unlike radiance meet, more of them do.
 //! 11. [`mod@image`] holds the result and writes PNG and EXR; [`report`] says what was done
 //!     and how long it took; [`denoise`] renders frames and takes the noise of paths or of direct
 //!     light away, where a library for it is installed; [`metrics`] says how far it is from a reference; [`study`] renders

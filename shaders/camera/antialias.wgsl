@@ -1,28 +1,88 @@
-// Antialiasing of edges. Where the pixels around see one surface, a pixel has the radiance of
-// its visible point. Elsewhere more camera rays find what is seen in the pixel, and each takes
-// the radiance of the nearest visible point around on the same surface: light varies slowly
-// along a surface, so that coverage alone needs the rays.
+// More camera rays where surfaces of unlike radiance meet. Each has the light of a visible point
+// around on its surface, as light varies slowly along a surface, so that coverage alone needs the
+// rays; emission and background are its own. The first rays of the pixels around tell where that is,
+// and not the pixel's own: a mean over more samples where the first ones differ, and those among
+// them, is biased (Kirk and Arvo, "Unbiased Sampling Techniques for Image Synthesis", 1991).
 
-@group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(8) var<storage, read_write> film: array<vec4f>;
-@group(0) @binding(20) var<storage, read> radiance: array<vec4f>;
+@group(0) @binding(105) var<storage, read> meetings: array<u32>;
+@group(0) @binding(107) var<storage, read> ranges: array<vec2u>;
 
-// More than any squared distance in normalised units, and little more: what is added is not lost.
-const FARTHEST = 16.0;
+// Most beams of a pixel in one dispatch.
+const MOST_BEAMS = 8u;
+// How far the radiances around are apart, over their mean, to be worth more rays.
+const CONTRAST = 0.25;
 
-fn alike(p: Point, q: Point) -> bool {
-    let same = one_surface(p.normal, q.normal, q.position - p.position);
-    return p.surface == q.surface && (same || p.surface == NOTHING);
+var<workgroup> beam_sums: array<vec3f, 512>;
+
+// Whether surfaces meet here, as the pixels around tell.
+fn surfaces_meet(tile: TilePixels, pixel: vec2u) -> bool {
+    var meet = (meetings[place_of(tile, pixel)] & 1u) != 0u;
+    for (var i = 0u; i < 9u; i++) {
+        meet = meet || (i != OWN && (meetings[place_of(tile, around(tile, pixel, i))] & 2u) != 0u);
+    }
+    return meet;
 }
 
-// The point of the i-th of the 3 x 3 pixels around one; itself where there is none.
-fn around(pixel: vec2u, own: u32, i: u32) -> u32 {
-    let other = vec2i(pixel) + vec2i(i32(i % 3u), i32(i / 3u)) - 1;
-    let first = i32(params.first_block / ((params.width + 7u) / 8u)) * 8;
-    let index = point_of(vec2u(other - vec2i(0, first)), params.width);
-    let is = other.x >= 0 && other.x < i32(params.width) && other.y >= first
-        && other.y < i32(params.height) && index < params.blocks * 64u;
-    return select(own, index, is);
+fn radiances_differ(tile: TilePixels, pixel: vec2u) -> bool {
+    var low = vec3f(HUGE);
+    var high = vec3f(0.0);
+    for (var i = 0u; i < 9u; i++) {
+        let other = around(tile, pixel, i);
+        let range = ranges[place_of(tile, other)];
+        let is = any(other != pixel);
+        low = select(low, min(low, unpack_radiance(range.x)), is);
+        high = select(high, max(high, unpack_radiance(range.y)), is);
+    }
+    let apart = high - low;
+    let mean = 0.5 * (high + low);
+    let most = max(apart.x, max(apart.y, apart.z));
+    return most > CONTRAST * max(mean.x, max(mean.y, mean.z));
+}
+
+fn is_edge(tile: TilePixels, pixel: vec2u, own: u32) -> bool {
+    var edge = stored_throughput(own).w > 0.0;
+    // A loop, as a branch that no invocation takes is not skipped everywhere.
+    let rounds = select(0u, 1u, surfaces_meet(tile, pixel));
+    for (var round = 0u; round < rounds; round++) { edge = edge || radiances_differ(tile, pixel); }
+    return edge;
+}
+
+// The sum of what the rays of a beam see, those of them that are wanted.
+fn beam_sum(tile: TilePixels, own: u32, first: u32, end: u32, invocation: u32) -> vec3f {
+    let pixel = pixel_of(own, params.first_block, params.width);
+    let stream = ray_stream(pixel);
+    let beam = pixel_beam(pixel, stream, first, end);
+    let hits = traverse_beam(params.position, beam, params.nodes, invocation);
+    var surfaces: array<vec4u, 4>;
+    var throughputs: array<vec3f, 4>;
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < BEAM_RAYS; i++) {
+        let direction = beam_direction(beam, i);
+        let chain = specular_chain_from(
+            beam_hit(hits, i), direction, beam.limits[i], params.nodes, params.offset,
+            ray_number(first + i), stream, invocation,
+        );
+        let point = hit_point(chain.hit, chain.direction);
+        let is = beam.limits[i] > 0.0;
+        surfaces[i] = pack_surface(point);
+        throughputs[i] = select(vec3f(0.0), throughput_of(chain), is);
+        let width = ray_spread(direction) * length_of(chain);
+        let light = seen_without_light(chain.hit, point, chain.direction, width);
+        sum += select(vec3f(0.0), light * throughput_of(chain), is);
+    }
+    let codes = linked(tile, pixel, RaySurfaces(
+        unpack_surface(surfaces[0]),
+        unpack_surface(surfaces[1]),
+        unpack_surface(surfaces[2]),
+        unpack_surface(surfaces[3]),
+    ));
+    for (var i = 0u; i < BEAM_RAYS; i++) {
+        if codes[i] != NO_LIGHT {
+            sum += radiance[point_at(tile, around(tile, pixel, codes[i]))].rgb * throughputs[i];
+        }
+    }
+    return sum;
 }
 
 // No invocation returns early: a subgroup may trace its rays together.
@@ -32,42 +92,40 @@ fn main(
     @builtin(local_invocation_index) invocation: u32,
 ) {
     let own = min(id.x, params.blocks * 64u - 1u);
+    let tile = tile_pixels();
     let pixel = pixel_of(own, params.first_block, params.width);
-    let point = points[own];
-    let is = id.x == own && pixel.x < params.width && pixel.y < params.height;
-    var edge = false;
-    let own_throughput = stored_throughput(own);
-    if own_throughput.w > 0.0 { edge = true; }
-    for (var i = 0u; i < 9u; i++) { edge = edge || !alike(point, points[around(pixel, own, i)]); }
+    var edge = id.x == own && pixel.x < params.width && pixel.y < params.height;
+    if edge { edge = is_edge(tile, pixel, own); }
+    let listed = list_points(edge, own, invocation);
 
-    var sum = vec3f(0.0);
-    let all = params.edge_rays * params.samples;
-    let stream = hash(camera_stream(pixel));
-    let limit = select(0.0, HUGE, is && edge);
-    let rays = select(0u, params.rays, some_ray(is && edge));
-    for (var ray = params.first_ray; ray < params.first_ray + rays; ray++) {
-        let index = ray * params.samples + params.sample;
-        let direction = camera_direction(pixel, stratified(index, 1.0 / f32(all), stream));
-        let chain = trace_specular_chain(
-            params.position, direction, limit, params.nodes, params.offset, index, stream,
-            invocation,
-        );
-        let seen = hit_point(chain.hit, chain.direction);
-        // The nearest on the same surface; if there is none, the nearest of all.
-        var best = own;
-        var least = HUGE;
-        for (var i = 0u; i < 9u; i++) {
-            let index = around(pixel, own, i);
-            let other = points[index];
-            let way = other.position - seen.position;
-            let far = select(FARTHEST, 0.0, alike(seen, other));
-            let distance = far + dot(way, way);
-            best = select(best, index, distance < least);
-            least = min(least, distance);
+    // The beams of all edges, one after the other: a subgroup has no idle lanes but the last.
+    let beams = min((params.rays + BEAM_RAYS - 1u) / BEAM_RAYS, MOST_BEAMS);
+    let all = listed.count * beams;
+    let end = params.first_ray + params.rays;
+    for (var start = 0u; start < all; start += 64u) {
+        let beam = min(start + invocation, all - 1u);
+        let ray = params.first_ray + BEAM_RAYS * (beam % beams);
+        let last = select(0u, end, start + invocation < all);
+        // A loop: subgroups without beams are done.
+        let rounds = select(0u, 1u, some_ray(last != 0u));
+        for (var round = 0u; round < rounds; round++) {
+            let sum = beam_sum(tile, listed_points[beam / beams], ray, last, invocation);
+            if last != 0u { beam_sums[beam] = sum; }
         }
-        sum += seen_by_ray(seen, radiance[best].rgb) * throughput_of(chain);
     }
-    let share = f32(params.rays) / f32(params.edge_rays);
-    let result = select(radiance[own].rgb * own_throughput.rgb * share, sum / f32(params.edge_rays), edge);
-    if is { film[own] += vec4f(result, 0.0); }
+    workgroupBarrier();
+
+    if edge {
+        var sum = vec3f(0.0);
+        for (var beam = 0u; beam < beams; beam++) {
+            sum += beam_sums[listed.rank * beams + beam];
+        }
+        let first = first_rays();
+        // The film has the mean of the first rays, which now are some among more.
+        if params.first_ray == first {
+            let excess = f32(params.edge_rays - first) / f32(first);
+            sum -= first_radiance(tile, pixel, own).sum * excess;
+        }
+        film[own] += vec4f(sum / f32(params.edge_rays), 0.0);
+    }
 }

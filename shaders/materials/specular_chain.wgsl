@@ -17,10 +17,11 @@ struct SpecularChain {
 // Mirrors and glass that a ray meets at most: between facing mirrors it would never end.
 const MOST_SPECULAR = 32u;
 
-// Point `number` of the sequence of `stream` chooses between reflection and refraction.
-// All invocations of a subgroup must call it together.
-fn trace_specular_chain(
-    origin: vec3f,
+// The chain of a ray whose first hit is known; with the limit 0 there is none. Point `number` of the
+// sequence of `stream` chooses between reflection and refraction. All invocations of a subgroup must
+// call it together.
+fn specular_chain_from(
+    first: Hit,
     direction: vec3f,
     limit: f32,
     node_count: u32,
@@ -31,14 +32,14 @@ fn trace_specular_chain(
 ) -> SpecularChain {
     let nothing = Hit(limit, NOTHING, vec3f(0.0));
     var seen = SpecularChain(nothing, direction, vec3f(1.0), 0.0, false, false);
-    var at = origin;
+    var hit = first;
     var reach = limit;
     for (var i = 0u; i <= MOST_SPECULAR; i++) {
-        let hit = traverse(at, seen.direction, reach, node_count, false, invocation);
         let point = hit_point(hit, seen.direction);
         let bsdf = bsdf_of(point);
         let goes_on = reach > 0.0 && hit.triangle != NOTHING && bsdf.kind >= MIRROR;
         if reach > 0.0 { seen.hit = hit; }
+        var at = vec3f(0.0);
         if goes_on {
             let u = scrambled(number, hash(stream ^ hash(i + 1u))).x;
             let sampled = sample_specular(point, bsdf, seen.direction, u);
@@ -55,9 +56,26 @@ fn trace_specular_chain(
             if i == MOST_SPECULAR { seen.throughput = vec3f(0.0); }
         }
         reach = select(0.0, HUGE, goes_on);
-        if !some_ray(goes_on) { break; }
+        if i == MOST_SPECULAR || !some_ray(goes_on) { break; }
+        hit = traverse(at, seen.direction, reach, node_count, false, invocation);
     }
     return seen;
+}
+
+fn trace_specular_chain(
+    origin: vec3f,
+    direction: vec3f,
+    limit: f32,
+    node_count: u32,
+    offset: f32,
+    number: u32,
+    stream: u32,
+    invocation: u32,
+) -> SpecularChain {
+    let hit = traverse(origin, direction, limit, node_count, false, invocation);
+    return specular_chain_from(
+        hit, direction, limit, node_count, offset, number, stream, invocation,
+    );
 }
 
 // What comes back of the radiance that is seen.

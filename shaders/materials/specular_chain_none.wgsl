@@ -5,6 +5,19 @@ struct SpecularChain {
     direction: vec3f,
 }
 
+fn specular_chain_from(
+    first: Hit,
+    direction: vec3f,
+    limit: f32,
+    node_count: u32,
+    offset: f32,
+    number: u32,
+    stream: u32,
+    invocation: u32,
+) -> SpecularChain {
+    return SpecularChain(first, direction);
+}
+
 fn trace_specular_chain(
     origin: vec3f,
     direction: vec3f,

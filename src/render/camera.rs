@@ -1,6 +1,7 @@
 //! From camera rays to the film: tiles of the image, the points that they see, what comes back of
 //! the radiance of those.
 
+mod antialiasing;
 mod attributes;
 mod buffers;
 mod emission;

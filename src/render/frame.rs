@@ -154,6 +154,9 @@ impl<'a> Steps<'a> {
                 Some(clustered) => {
                     clustered.load(prepared, &self.buffers, tile)?;
                     lights.load(tile, clustered)?;
+                    if tiles > 1.0 {
+                        tally.phases.visible_points += self.rays.find_again(tile)?;
+                    }
                 }
                 None => tally.phases.visible_points += self.rays.find_points(tile)?,
             }

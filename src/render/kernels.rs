@@ -1,6 +1,7 @@
 //! Which shader files make which kernel: a program is an ordered list of files, chosen by what a
 //! device and a scene need. Nothing here knows a scene or a device itself.
 
+mod antialiasing;
 mod camera;
 pub mod catalogue;
 pub mod compensation;
@@ -17,7 +18,10 @@ use super::features::Target;
 use super::lights::LightKind;
 use super::settings::{Method, Sharing};
 use crate::gpu::{Program, TriangleRecord};
-pub use camera::{antialias, background, emit, resolve, show, visible_points};
+pub use antialiasing::{
+    antialias, first_rays, link_rays, rays_of_beam, replace_points, resolve_rays, unseen_surfaces,
+};
+pub use camera::{background, emit, resolve, show, visible_points};
 pub use catalogue::{CATALOGUE, features_of, features_without};
 pub use direct::{
     LightRays, direct_exact, direct_lobe_rays, direct_sampled, filter_guide, filter_level, guide,
@@ -33,7 +37,7 @@ pub use visibility::{Emitter, expand, pack_columns, rays_at_once, visibility};
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![expand(), pack_columns(), split_subsets(), guide()];
+    let mut programs = vec![expand(), pack_columns(), split_subsets(), guide(), unseen_surfaces()];
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             // Literals are of triangles alone.
@@ -42,7 +46,11 @@ pub fn all_programs() -> Vec<Program> {
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
         programs.extend([false, true].map(|lit| visible_points(target, lit)));
-        programs.extend([antialias(target), resolve(target)]);
+        for emits in [false, true] {
+            programs.extend([first_rays(target, emits), antialias(target, emits)]);
+            programs.extend([link_rays(target, emits), resolve_rays(target, emits)]);
+        }
+        programs.extend([replace_points(target), resolve(target)]);
         programs.extend([emit(target), reflect(target), discontinuity_buffer(target)]);
         programs.extend([false, true].map(|given| clamped_energy(target, given)));
         for probed in [false, true] {

@@ -167,8 +167,9 @@ pub struct Settings {
     pub compensate: bool,
     /// Samples (visible points) per pixel; paths, where there are paths.
     pub samples: u32,
-    /// Camera rays over all samples of a pixel at whose place surfaces meet; each takes the light
-    /// of the nearest visible point on its surface. 1 is none but the samples themselves.
+    /// Camera rays over all samples of a pixel around which surfaces of unlike radiance meet; others
+    /// have four, or as many if that is fewer. Each takes the light of a visible point around on its
+    /// surface; emission and background are its own. 1 is none but the samples themselves.
     pub edge_samples: u32,
     /// How visible points and VPLs are clustered, where the method does so.
     pub clustering: Clustering,
@@ -258,7 +259,7 @@ impl Settings {
         self.method.clusters_vpls() && self.clustering.merge == Merge::Visibility
     }
 
-    /// Whether edges are antialiased by more camera rays than the samples.
+    /// Whether pixels are antialiased by more camera rays than the samples.
     pub fn antialiases(&self) -> bool {
         let few = self.edge_samples > self.samples;
         self.method.is_lit() && self.method != Method::Path && few

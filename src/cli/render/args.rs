@@ -99,8 +99,9 @@ pub struct RenderArgs {
           value_parser = clap::value_parser!(u32).range(1..))]
     pub samples: Option<u32>,
 
-    /// Camera rays in a pixel where surfaces meet, over all its samples; each takes the light of
-    /// the nearest visible point on its surface. 1 is none but the samples
+    /// Camera rays in a pixel where surfaces of unlike radiance meet, over all its samples; other
+    /// pixels have 4 (or as many, if fewer). Each takes the light of a visible point around on its
+    /// surface; emission and background are its own. 1 is none but the samples
     #[arg(long, allow_negative_numbers = true, value_name = "E",
           default_value_t = Settings::default().edge_samples,
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_EDGE_SAMPLES)))]

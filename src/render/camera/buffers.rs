@@ -15,7 +15,7 @@ pub struct TileBuffers {
     pub points: wgpu::Buffer,
     /// What else is known of them.
     pub attributes: Vec<Attribute>,
-    /// Radiance of the visible points of a sample, where edges are antialiased, or mirrors or glass
+    /// Radiance of the visible points of a sample, where pixels are antialiased, or mirrors or glass
     /// may be in the way.
     pub radiance: Option<wgpu::Buffer>,
 }

@@ -27,6 +27,8 @@ impl<'a> Emission<'a> {
         let FrameSetup { prepared, settings, .. } = *setup;
         let named = tile.named_by_point(prepared);
         let programs = match settings.method.is_lit() {
+            // Each camera ray sees its own.
+            true if settings.antialiases() => Vec::new(),
             true => prepared.emission_programs(),
             false => show(prepared.target(), settings.method).into_iter().collect(),
         };

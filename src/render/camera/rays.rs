@@ -2,11 +2,12 @@
 
 use std::time::Duration;
 
+use super::antialiasing::Antialiasing;
 use super::buffers::TileBuffers;
 use super::setup::FrameSetup;
 use super::tiling::Tile;
 use crate::gpu::{CameraParams, GpuError};
-use crate::render::kernels::{antialias, rays_at_once, resolve, visible_points};
+use crate::render::kernels::{resolve, visible_points};
 use crate::render::prepared::Prepared;
 use crate::render::stage::Stage;
 use crate::sampling::{SURFACE_OFFSET, hash};
@@ -19,18 +20,18 @@ pub struct CameraRays<'a> {
     /// What all tiles share.
     params: CameraParams,
     visible: Stage,
-    film: ToFilm,
+    film: ToFilm<'a>,
 }
 
 /// How the radiance of a sample's visible points comes to the film.
 #[derive(Debug)]
-enum ToFilm {
+enum ToFilm<'a> {
     /// It is there.
     Direct,
     /// Through mirrors and glass.
     Resolved(Stage),
-    /// With further camera rays where pixels see edges.
-    Antialiased(Stage),
+    /// By further camera rays.
+    Antialiased(Antialiasing<'a>),
 }
 
 impl<'a> CameraRays<'a> {
@@ -44,7 +45,7 @@ impl<'a> CameraRays<'a> {
         let named = tile.named(prepared);
         let bind = |program| Stage::new(prepared, &program, &named);
         let film = match settings.antialiases() {
-            true => ToFilm::Antialiased(bind(antialias(target))?),
+            true => ToFilm::Antialiased(Antialiasing::new(setup, tile)?),
             false if target.features.specular() => ToFilm::Resolved(bind(resolve(target))?),
             false => ToFilm::Direct,
         };
@@ -61,30 +62,36 @@ impl<'a> CameraRays<'a> {
     /// # Errors
     /// The device fails.
     pub fn find_points(&self, tile: Tile) -> Result<Duration, GpuError> {
-        self.visible.run(self.prepared, &self.params_of(tile), [tile.blocks, 1])
+        let params = self.params_of(tile);
+        let time = self.visible.run(self.prepared, &params, [tile.blocks, 1])?;
+        match &self.film {
+            ToFilm::Antialiased(antialiasing) => Ok(time + antialiasing.replace_points(&params)?),
+            ToFilm::Direct | ToFilm::Resolved(_) => Ok(time),
+        }
     }
 
-    /// Brings the radiance of a sample to the film, with more camera rays at edges; nothing if
+    /// Traces again what rays beside those that find the visible points have met, when other tiles or
+    /// samples have been looked at since.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn find_again(&self, tile: Tile) -> Result<Duration, GpuError> {
+        match &self.film {
+            ToFilm::Antialiased(antialiasing) => antialiasing.trace(&self.params_of(tile)),
+            ToFilm::Direct | ToFilm::Resolved(_) => Ok(Duration::ZERO),
+        }
+    }
+
+    /// Brings the radiance of a sample to the film, with what further camera rays see; nothing if
     /// it is there already.
     ///
     /// # Errors
     /// The device fails.
     pub fn add_to_film(&self, tile: Tile) -> Result<Duration, GpuError> {
-        let groups = [tile.blocks, 1];
         match &self.film {
             ToFilm::Direct => Ok(Duration::ZERO),
-            ToFilm::Resolved(stage) => stage.run(self.prepared, &(), groups),
-            ToFilm::Antialiased(stage) => {
-                let params = self.params_of(tile);
-                let at_once = rays_at_once(self.prepared.bvh.nodes.len());
-                let mut time = Duration::ZERO;
-                for first_ray in (0..params.edge_rays).step_by(at_once as usize) {
-                    let rays = at_once.min(params.edge_rays - first_ray);
-                    let params = CameraParams { first_ray, rays, ..params };
-                    time += stage.run(self.prepared, &params, groups)?;
-                }
-                Ok(time)
-            }
+            ToFilm::Resolved(stage) => stage.run(self.prepared, &(), [tile.blocks, 1]),
+            ToFilm::Antialiased(antialiasing) => antialiasing.add_to_film(&self.params_of(tile)),
         }
     }
 

@@ -1,12 +1,11 @@
 //! The programs of camera rays, and of what comes back along them.
 
 use super::catalogue::{
-    ANTIALIAS, BACKGROUND, BSDF, CAMERA, EMIT, GLASS, HIT_POINT, HIT_TRIANGLES, MIRROR,
-    ONE_SURFACE, PIXELS, RAY_OFFSET, REFLECTANCE_ANY, REFLECTANCE_PLAIN, RESOLVE,
-    SAMPLE_SPECULAR_EITHER, SAMPLE_SPECULAR_GLASS, SAMPLE_SPECULAR_MIRROR, SAMPLING,
-    SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SPECULAR_CHAIN, SPECULAR_CHAIN_NONE,
-    SPECULAR_SAMPLE, STORE_THROUGHPUT, STORE_THROUGHPUT_NONE, THROUGHPUT_NONE, THROUGHPUT_STORED,
-    TYPES, UNSEEN_BACKGROUND, UNSEEN_NONE, VIEW_DIRECTION, VIEW_DIRECTION_NONE, VISIBLE_POINTS,
+    BACKGROUND, BSDF, CAMERA, EMIT, GLASS, HIT_POINT, HIT_TRIANGLES, MIRROR, PIXELS, RAY_OFFSET,
+    REFLECTANCE_ANY, REFLECTANCE_PLAIN, RESOLVE, SAMPLE_SPECULAR_EITHER, SAMPLE_SPECULAR_GLASS,
+    SAMPLE_SPECULAR_MIRROR, SAMPLING, SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
+    SPECULAR_CHAIN, SPECULAR_CHAIN_NONE, SPECULAR_SAMPLE, STORE_THROUGHPUT, STORE_THROUGHPUT_NONE,
+    THROUGHPUT_NONE, THROUGHPUT_STORED, TYPES, VIEW_DIRECTION, VIEW_DIRECTION_NONE, VISIBLE_POINTS,
 };
 use super::lights::sky;
 use super::materials::{albedo, attributes, emission_scale, store_attributes};
@@ -17,10 +16,9 @@ use crate::render::settings::Method;
 
 /// Camera rays. Points keep their depth, or, if there is light, where they are seen from.
 pub fn visible_points(target: Target, lit: bool) -> Program {
-    let keep = if target.features.specular() { &STORE_THROUGHPUT } else { &STORE_THROUGHPUT_NONE };
     let mut modules = camera_rays(target, &point_attributes(target.features));
     let view = if lit { &VIEW_DIRECTION } else { &VIEW_DIRECTION_NONE };
-    modules.extend([&RAY_OFFSET, view, keep, &VISIBLE_POINTS]);
+    modules.extend([&RAY_OFFSET, view, store_throughput(target), &VISIBLE_POINTS]);
     Program::new("visible points", modules)
 }
 
@@ -29,17 +27,7 @@ pub fn point_attributes(features: Features) -> Vec<&'static Module> {
     [attributes(features), store_attributes(features, true)].concat()
 }
 
-/// More camera rays where pixels see edges.
-pub fn antialias(target: Target) -> Program {
-    let unseen = match sky(target) {
-        Some(sky) => [&sky[..], &[&UNSEEN_BACKGROUND]].concat(),
-        None => vec![&UNSEEN_NONE],
-    };
-    let last = [&unseen[..], &[throughput(target), &ONE_SURFACE, &ANTIALIAS]].concat();
-    let modules = camera_rays(target, &last);
-    Program::new("antialiasing", modules)
-}
-
+/// Camera rays, before what becomes of them.
 pub fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
     let (first, rays) = ([&TYPES, &SAMPLING, &PIXELS], rays(target));
     [&first[..], &rays, &[&CAMERA], &specular_chain(target), last].concat()
@@ -62,6 +50,11 @@ pub fn specular_chain(target: Target) -> Vec<&'static Module> {
     };
     [corners, &[&HIT_POINT, &RAY_OFFSET, &BSDF, &SPECULAR_SAMPLE], sampled, &[&SPECULAR_CHAIN]]
         .concat()
+}
+
+/// What keeps that of visible points.
+pub fn store_throughput(target: Target) -> &'static Module {
+    if target.features.specular() { &STORE_THROUGHPUT } else { &STORE_THROUGHPUT_NONE }
 }
 
 /// What comes back of the radiance of visible points.

@@ -58,8 +58,8 @@ pub fn store_attributes(features: Features, filtered: bool) -> Vec<&'static Modu
     modules
 }
 
-/// Textures over what a pixel sees.
-fn filtered_textures(features: Features) -> [&'static Module; 5] {
+/// Textures over what a pixel sees, after [`textures`].
+pub fn filtered_textures(features: Features) -> [&'static Module; 5] {
     let shapes = if features.spheres { &UV_DIFFERENCE_ANY } else { &UV_DIFFERENCE_TRIANGLE };
     [&UV_DIFFERENCE, shapes, &TEXTURE_FILTERED, &FOOTPRINT, &MATERIAL_TEXTURES_FILTERED]
 }

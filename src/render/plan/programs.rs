@@ -4,8 +4,9 @@ use super::Plan;
 use crate::gpu::Program;
 use crate::render::kernels::{
     self, Emitter, LightRays, antialias, background, clamped_energy, compensation,
-    discontinuity_buffer, emit, expand, join_subsets, pack_columns, path, reflect, resolve, shade,
-    show, split_subsets, visible_points,
+    discontinuity_buffer, emit, expand, first_rays, join_subsets, link_rays, pack_columns, path,
+    reflect, replace_points, resolve, resolve_rays, shade, show, split_subsets, unseen_surfaces,
+    visible_points,
 };
 use crate::render::lights::LightKind;
 use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
@@ -29,10 +30,12 @@ impl Plan {
             return programs;
         }
         match settings.antialiases() {
-            true => programs.push(antialias(target)),
-            false => programs.extend(target.features.specular().then(|| resolve(target))),
+            true => programs.extend(self.antialiasing_programs(settings)),
+            false => {
+                programs.extend(target.features.specular().then(|| resolve(target)));
+                programs.extend(self.emission_programs());
+            }
         }
-        programs.extend(self.emission_programs());
         if settings.direct != Direct::Off {
             programs.extend(self.direct_programs(settings));
             programs.push(reflect(target));
@@ -61,6 +64,19 @@ impl Plan {
             }
         }
         programs
+    }
+
+    /// Those that antialias; their rays find emission and background, too.
+    fn antialiasing_programs(&self, settings: &Settings) -> Vec<Program> {
+        let (target, emits) = (self.target_of(settings), self.lights.have_surfaces());
+        vec![
+            first_rays(target, emits),
+            unseen_surfaces(),
+            replace_points(target),
+            link_rays(target, emits),
+            resolve_rays(target, emits),
+            antialias(target, emits),
+        ]
     }
 
     /// Those of [`Method::Path`].

@@ -1,0 +1,16 @@
+// The nearest hits of the rays of a beam, one ray after the other: the plain twin of
+// beam_packet.wgsl.
+
+fn traverse_beam(origin: vec3f, beam: Beam, node_count: u32, invocation: u32) -> BeamHits {
+    let none = Hit(0.0, NOTHING, vec3f(0.0));
+    var hits = BeamHits(none, none, none, none);
+    for (var i = 0u; i < BEAM_RAYS; i++) {
+        let direction = beam_direction(beam, i);
+        let hit = traverse(origin, direction, beam.limits[i], node_count, false, invocation);
+        if i == 0u { hits.h0 = hit; }
+        if i == 1u { hits.h1 = hit; }
+        if i == 2u { hits.h2 = hit; }
+        if i == 3u { hits.h3 = hit; }
+    }
+    return hits;
+}
