@@ -24,9 +24,10 @@
 //! 5. **Visible points** (`camera`): camera rays, for each sample of every pixel of a tile; they go
 //!    on at mirrors and glass. A few more rays of each pixel find what is thinner than a pixel, for
 //!    which some visible points make room.
-//! 6. **Direct light** (`direct`): shadow rays to point, spot and directional lights, and to samples
-//!    of all other lights, which a guide of each block of pixels draws. Samples are combined over
-//!    pixels of one surface, as far as they are noise. What stages have gathered at visible points
+//! 6. **Direct light** (`direct`): shadow rays to a few point, spot and directional lights, and to
+//!    samples of all other lights, which a guide of each block of pixels draws; glossy surfaces share
+//!    these with rays by their lobes. Samples are combined over pixels of one surface, as far as they
+//!    are noise. What stages have gathered at visible points
 //!    (`gather`) becomes radiance once a kind of light.
 //! 7. **Clusters** (`clusters`), in the methods that use them: [`cluster`] finds visible points, and
 //!    VPLs, that may share visibility. Probes (a few shadow rays from every point) tell where a

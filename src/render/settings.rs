@@ -154,7 +154,8 @@ pub struct Settings {
     pub bounces: Bounces,
     /// Direct light.
     pub direct: Direct,
-    /// Shadow rays from each visible point to all lights that have some extent; `None` chooses: 4 a
+    /// Shadow rays from each visible point to all lights that have some extent, and to those without
+    /// if they are more than 8 and the rays few ([`Settings::few_light_samples`]); `None` chooses: 4 a
     /// pixel where they are combined over pixels, and up to 16 where few pixels are alike; 16 where
     /// they are not. Glossy surfaces take as many rays by their lobes. With clusters, from each
     /// cluster: 256. Paths have one.

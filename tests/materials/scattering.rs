@@ -10,7 +10,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use gpu_vpl::gpu::{Dispatch, Module, Program};
 use gpu_vpl::render::kernels::catalogue::{
-    BSDF, GATHERED_PHONG, GLASS, HEMISPHERE, LOBE_ENERGY, LOBES_PHONG, MIRROR, PHONG,
+    BSDF, GATHERED_PHONG, GLASS, HEMISPHERE, LOBE_ENERGY, LOBE_SAMPLE, LOBES_PHONG, MIRROR, PHONG,
     SAMPLE_SPECULAR_EITHER, SCATTER_PHONG, SPECULAR_SAMPLE, TYPES, VIEW_DIRECTION,
 };
 use gpu_vpl::render::materials::bsdf::{
@@ -264,6 +264,7 @@ fn the_device_scatters_as_the_host() {
         &PHONG,
         &LOBE_ENERGY,
         &LOBES_PHONG,
+        &LOBE_SAMPLE,
         &SCATTER_PHONG,
         &SPECULAR_SAMPLE,
         &MIRROR,

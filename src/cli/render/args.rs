@@ -50,9 +50,11 @@ pub struct RenderArgs {
     #[arg(long, default_value = "per-pixel", value_parser = parse::direct)]
     pub direct: Direct,
 
-    /// Shadow rays from each visible point, or cluster, to all lights that have some extent, or auto:
-    /// 4 a pixel, up to 16 where few pixels around see the same surface or --direct-filter is off, and
-    /// 256 a cluster; not for path, which has one a vertex
+    /// Shadow rays from each visible point, or cluster, to all lights that have some extent and, if
+    /// these are more than 8, to all point, spot and directional lights, which else have one each; as
+    /// many more from glossy surfaces by their lobes. Or auto: 4 a pixel, up to 16 where few pixels
+    /// around see the same surface or --direct-filter is off, and 256 a cluster. Of 64 or more, every
+    /// light without extent has one. Not for path, which has one a vertex
     #[arg(long, allow_negative_numbers = true, value_name = "S|auto", default_value = "auto",
           value_parser = parse::light_samples)]
     pub light_samples: LightSamples,

@@ -1,4 +1,5 @@
-//! Lights of some extent: a few rays to places that the guide chooses.
+//! Lights of some extent, and those without if they are many: a few rays to places that the guide
+//! chooses.
 
 use std::time::Duration;
 
@@ -16,7 +17,7 @@ use crate::sampling::{SURFACE_OFFSET, hash};
 /// As `MOST` of `shaders/direct/ray_counts.wgsl`.
 const MOST_TIMES: u32 = 4;
 
-/// Shadow rays to all lights that have some extent.
+/// Shadow rays to all lights that samples are drawn of.
 #[derive(Debug)]
 pub struct SampledLight<'a> {
     prepared: &'a Prepared,

@@ -1,5 +1,5 @@
-//! Strata of all lights that have some extent: what one choice among lamps, emitting meshes and parts
-//! of the sky is made from.
+//! Strata of all lights that samples are drawn of: what one choice among lamps, emitting meshes, parts
+//! of the sky and, where they are many, lights without extent is made from.
 
 use super::delta;
 use super::kind::LightKind;
