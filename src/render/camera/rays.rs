@@ -31,7 +31,7 @@ enum ToFilm<'a> {
     /// Through mirrors and glass.
     Resolved(Stage),
     /// By further camera rays.
-    Antialiased(Antialiasing<'a>),
+    Antialiased(Box<Antialiasing<'a>>),
 }
 
 impl<'a> CameraRays<'a> {
@@ -45,7 +45,7 @@ impl<'a> CameraRays<'a> {
         let named = tile.named(prepared);
         let bind = |program| Stage::new(prepared, &program, &named);
         let film = match settings.antialiases() {
-            true => ToFilm::Antialiased(Antialiasing::new(setup, tile)?),
+            true => ToFilm::Antialiased(Box::new(Antialiasing::new(setup, tile)?)),
             false if target.features.specular() => ToFilm::Resolved(bind(resolve(target))?),
             false => ToFilm::Direct,
         };
