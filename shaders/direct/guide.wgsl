@@ -3,7 +3,8 @@
 
 // Of each block and stratum of the lights, what it gives unshadowed.
 @group(0) @binding(86) var<storage, read_write> unshadowed: array<f32>;
-// How many pilot rays went to it from the points of the block, and how many of them arrived.
+// Of each block, eight strata a texel, two a word: how many pilot rays went to a stratum from the points
+// of the block, and how many of them arrived, a byte each.
 @group(0) @binding(99) var pilots: texture_2d<u32>;
 // Its probability and all before it, and the share of its light that is thought to arrive, or what
 // samples are drawn by for it.
@@ -58,21 +59,29 @@ fn main(
 ) {
     let block = group.x;
     let column = i32((params.first_block + block) % params.across);
-    for (var stratum = invocation; stratum < params.strata; stratum += 64u) {
-        var sum = vec2f(0.0);
+    let texels = (params.strata + STRATA_A_TEXEL - 1u) / STRATA_A_TEXEL;
+    for (var texel = invocation; texel < texels; texel += 64u) {
+        // Two sums a word: no weighted sum of 25 bytes overflows.
+        var tries = vec4u(0u);
+        var arrivals = vec4u(0u);
         let blocks_around = select(0u, 25u, params.is_piloted != 0u);
         for (var around = 0u; around < blocks_around; around++) {
             let way = vec2i(i32(around % 5u) - 2, i32(around / 5u) - 2);
             let other = i32(block) + way.y * i32(params.across) + way.x;
             let is = other >= 0 && other < i32(params.blocks)
                 && column + way.x >= 0 && column + way.x < i32(params.across);
-            let at = u32(select(i32(block), other, is)) * params.strata + stratum;
-            let pilot = vec2f(textureLoad(pilots, table_place(at), 0).xy);
+            let at = u32(select(i32(block), other, is)) * texels + texel;
+            let words = textureLoad(pilots, table_place(at), 0);
             // Those nearer count more.
-            let counts = select(0, 6 - abs(way.x) - abs(way.y), is);
-            sum += f32(counts) * pilot;
+            let weight = vec4u(select(0u, u32(6 - abs(way.x) - abs(way.y)), is));
+            tries += weight * (words & vec4u(0xff00ffu));
+            arrivals += weight * ((words >> vec4u(8u)) & vec4u(0xff00ffu));
         }
-        tried[stratum] = sum;
+        for (var i = 0u; i < STRATA_A_TEXEL; i++) {
+            let shift = 16u * (i % 2u);
+            let counts = vec2u(tries[i / 2u] >> shift, arrivals[i / 2u] >> shift);
+            tried[STRATA_A_TEXEL * texel + i] = vec2f(counts & vec2u(0xffffu));
+        }
     }
     workgroupBarrier();
 

@@ -2,9 +2,9 @@
 // else: samples that are drawn by what they found stay unbiased.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
-// Of each block and stratum of the lights, how many pilot rays went to it from the points of the
-// block, and how many of them arrived.
-@group(0) @binding(98) var counted_pilots: texture_storage_2d<rg32uint, write>;
+// Of each block, eight strata of the lights a texel, two a word: how many pilot rays went to a stratum
+// from the points of the block, and how many of them arrived, a byte each.
+@group(0) @binding(98) var counted_pilots: texture_storage_2d<rgba32uint, write>;
 
 // One for each stratum; in the upper half of the bits those that arrived.
 var<workgroup> counts: array<atomic<u32>, MOST_STRATA>;
@@ -30,10 +30,18 @@ fn main(
     let arrived = select(0u, ARRIVED, hit.triangle == NOTHING);
     if is { atomicAdd(&counts[stratum], 1u + arrived); }
     workgroupBarrier();
-    let row = group.x * params.strata;
-    for (var i = invocation; i < params.strata; i += 64u) {
-        let count = atomicLoad(&counts[i]);
-        let pair = vec4u(count % ARRIVED, count / ARRIVED, 0u, 0u);
-        textureStore(counted_pilots, table_place(row + i), pair);
+    let texels = (params.strata + STRATA_A_TEXEL - 1u) / STRATA_A_TEXEL;
+    for (var texel = invocation; texel < texels; texel += 64u) {
+        var words: vec4u;
+        for (var i = 0u; i < 4u; i++) {
+            let stratum = STRATA_A_TEXEL * texel + 2u * i;
+            words[i] = bytes_of(stratum) | (bytes_of(stratum + 1u) << 16u);
+        }
+        textureStore(counted_pilots, table_place(group.x * texels + texel), words);
     }
+}
+
+fn bytes_of(stratum: u32) -> u32 {
+    let count = atomicLoad(&counts[stratum]);
+    return (count % ARRIVED) | ((count / ARRIVED) << 8u);
 }

@@ -10,6 +10,9 @@ use crate::render::prepared::Prepared;
 use crate::render::stage::{Named, NamedTexture, Stage};
 use crate::sampling::{SURFACE_OFFSET, hash};
 
+/// As in `shaders/direct/guide_params.wgsl`.
+const STRATA_A_TEXEL: usize = 8;
+
 /// Pilot rays, and the probabilities of strata by what they found.
 #[derive(Debug)]
 pub struct Guide<'a> {
@@ -37,9 +40,11 @@ impl<'a> Guide<'a> {
         named: &[Named<'_>],
     ) -> Result<Self, GpuError> {
         let FrameSetup { prepared, seed, tiling, .. } = *setup;
-        let entries = setup.most_points() / 64 * strata.records.len();
+        let blocks = setup.most_points() / 64;
+        let entries = blocks * strata.records.len();
         let table = prepared.gpu.table("guide", entries, TableFormat::Pairs)?;
-        let pilots = prepared.gpu.table("pilot rays", entries, TableFormat::Pairs)?;
+        let texels = blocks * strata.records.len().div_ceil(STRATA_A_TEXEL);
+        let pilots = prepared.gpu.table("pilot rays", texels, TableFormat::Quadruples)?;
         let unshadowed_light = prepared.gpu.storage::<f32>("unshadowed light", entries)?;
         let named = [&[("unshadowed", &unshadowed_light)], named].concat();
         let bind = |program, textures: &[NamedTexture<'_>]| {

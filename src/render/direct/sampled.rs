@@ -121,7 +121,7 @@ fn candidates(prepared: &Prepared, kinds: &[LightKind], is_guided: bool) -> u32 
     const FEW_LIGHTS: u32 = 16;
     let lamps = kinds.iter().filter(|&&kind| kind != LightKind::Environment);
     match lamps.map(|&kind| prepared.lights.count(kind)).sum::<u32>() {
-        FEW_LIGHTS.. => 8,
+        FEW_LIGHTS.. => 4,
         _ if is_guided => 2,
         _ => 1,
     }
