@@ -116,12 +116,13 @@ impl<'a> SampledLight<'a> {
 }
 
 /// Of how many places on the lights each ray chooses one. Among many lamps the pixels of a block are
-/// near to different ones, which neither guide nor power tell apart.
+/// near to different ones, which a guide hardly tells apart, and power not at all.
 fn candidates(prepared: &Prepared, kinds: &[LightKind], is_guided: bool) -> u32 {
     const FEW_LIGHTS: u32 = 16;
     let lamps = kinds.iter().filter(|&&kind| kind != LightKind::Environment);
     match lamps.map(|&kind| prepared.lights.count(kind)).sum::<u32>() {
-        FEW_LIGHTS.. => 4,
+        FEW_LIGHTS.. if is_guided => 4,
+        FEW_LIGHTS.. => 8,
         _ if is_guided => 2,
         _ => 1,
     }
