@@ -3,7 +3,7 @@
 
 // Of each block and stratum of the lights, what it gives unshadowed.
 @group(0) @binding(86) var<storage, read_write> unshadowed: array<f32>;
-// Of each block, eight strata a texel, two a word: how many pilot rays went to a stratum from the points
+// Of each block, eight strata an entry, two a word: how many pilot rays went to a stratum from the points
 // of the block, and how many of them arrived, a byte each.
 @group(0) @binding(99) var pilots: texture_2d<u32>;
 // Its probability and all before it, and the share of its light that is thought to arrive, or what
@@ -59,8 +59,8 @@ fn main(
 ) {
     let block = group.x;
     let column = i32((params.first_block + block) % params.across);
-    let texels = (params.strata + STRATA_A_TEXEL - 1u) / STRATA_A_TEXEL;
-    for (var texel = invocation; texel < texels; texel += 64u) {
+    let entries = (params.strata + STRATA_PER_ENTRY - 1u) / STRATA_PER_ENTRY;
+    for (var entry = invocation; entry < entries; entry += 64u) {
         // Two sums a word: no weighted sum of 25 bytes overflows.
         var tries = vec4u(0u);
         var arrivals = vec4u(0u);
@@ -70,17 +70,17 @@ fn main(
             let other = i32(block) + way.y * i32(params.across) + way.x;
             let is = other >= 0 && other < i32(params.blocks)
                 && column + way.x >= 0 && column + way.x < i32(params.across);
-            let at = u32(select(i32(block), other, is)) * texels + texel;
+            let at = u32(select(i32(block), other, is)) * entries + entry;
             let words = textureLoad(pilots, table_place(at), 0);
             // Those nearer count more.
             let weight = vec4u(select(0u, u32(6 - abs(way.x) - abs(way.y)), is));
             tries += weight * (words & vec4u(0xff00ffu));
             arrivals += weight * ((words >> vec4u(8u)) & vec4u(0xff00ffu));
         }
-        for (var i = 0u; i < STRATA_A_TEXEL; i++) {
+        for (var i = 0u; i < STRATA_PER_ENTRY; i++) {
             let shift = 16u * (i % 2u);
             let counts = vec2u(tries[i / 2u] >> shift, arrivals[i / 2u] >> shift);
-            tried[STRATA_A_TEXEL * texel + i] = vec2f(counts & vec2u(0xffffu));
+            tried[STRATA_PER_ENTRY * entry + i] = vec2f(counts & vec2u(0xffffu));
         }
     }
     workgroupBarrier();

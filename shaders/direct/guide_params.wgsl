@@ -25,4 +25,4 @@ struct GuideParams {
 @group(0) @binding(0) var<storage, read> params: GuideParams;
 const MOST_STRATA = 448u;
 // Of the counts of pilot rays; it divides the most.
-const STRATA_A_TEXEL = 8u;
+const STRATA_PER_ENTRY = 8u;

@@ -2,7 +2,7 @@
 // else: samples that are drawn by what they found stay unbiased.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
-// Of each block, eight strata of the lights a texel, two a word: how many pilot rays went to a stratum
+// Of each block, eight strata of the lights an entry, two a word: how many pilot rays went to a stratum
 // from the points of the block, and how many of them arrived, a byte each.
 @group(0) @binding(98) var counted_pilots: texture_storage_2d<rgba32uint, write>;
 
@@ -30,14 +30,14 @@ fn main(
     let arrived = select(0u, ARRIVED, hit.triangle == NOTHING);
     if is { atomicAdd(&counts[stratum], 1u + arrived); }
     workgroupBarrier();
-    let texels = (params.strata + STRATA_A_TEXEL - 1u) / STRATA_A_TEXEL;
-    for (var texel = invocation; texel < texels; texel += 64u) {
+    let entries = (params.strata + STRATA_PER_ENTRY - 1u) / STRATA_PER_ENTRY;
+    for (var entry = invocation; entry < entries; entry += 64u) {
         var words: vec4u;
         for (var i = 0u; i < 4u; i++) {
-            let stratum = STRATA_A_TEXEL * texel + 2u * i;
+            let stratum = STRATA_PER_ENTRY * entry + 2u * i;
             words[i] = bytes_of(stratum) | (bytes_of(stratum + 1u) << 16u);
         }
-        textureStore(counted_pilots, table_place(group.x * texels + texel), words);
+        textureStore(counted_pilots, table_place(group.x * entries + entry), words);
     }
 }
 

@@ -11,7 +11,7 @@ use crate::render::stage::{Named, NamedTexture, Stage};
 use crate::sampling::{SURFACE_OFFSET, hash};
 
 /// As in `shaders/direct/guide_params.wgsl`.
-const STRATA_A_TEXEL: usize = 8;
+const STRATA_PER_ENTRY: usize = 8;
 
 /// Pilot rays, and the probabilities of strata by what they found.
 #[derive(Debug)]
@@ -43,7 +43,7 @@ impl<'a> Guide<'a> {
         let blocks = setup.most_points() / 64;
         let entries = blocks * strata.records.len();
         let table = prepared.gpu.table("guide", entries, TableFormat::Pairs)?;
-        let texels = blocks * strata.records.len().div_ceil(STRATA_A_TEXEL);
+        let texels = blocks * strata.records.len().div_ceil(STRATA_PER_ENTRY);
         let pilots = prepared.gpu.table("pilot rays", texels, TableFormat::Quadruples)?;
         let unshadowed_light = prepared.gpu.storage::<f32>("unshadowed light", entries)?;
         let named = [&[("unshadowed", &unshadowed_light)], named].concat();
