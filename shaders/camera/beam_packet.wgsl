@@ -4,7 +4,6 @@
 
 fn traverse_beam(origin: vec3f, beam: Beam, node_count: u32, invocation: u32) -> BeamHits {
     let lane = invocation & 7u;
-    let child = lane >> 1u;
     let r0 = finite_reciprocal(beam.d0);
     let r1 = finite_reciprocal(beam.d1);
     let r2 = finite_reciprocal(beam.d2);
@@ -20,7 +19,7 @@ fn traverse_beam(origin: vec3f, beam: Beam, node_count: u32, invocation: u32) ->
     // Of what each ray has hit, the index: of those at the same distance the lowest stays.
     var lowest = vec4u(NOTHING);
     let is = any(beam.limits > vec4f(0.0));
-    // Children are visited in the order of their middles along the packet.
+    // The way of the packet, along which children are in order.
     let ahead = subgroupAdd(select(vec3f(0.0), beam.d0 + beam.d1 + beam.d2 + beam.d3, is));
     var stack = Stack();
     var link = select(0u, ROOT, subgroupAny(is));
@@ -46,20 +45,7 @@ fn traverse_beam(origin: vec3f, beam: Beam, node_count: u32, invocation: u32) ->
                 | select(0u, 4u, beam_meets(low2, high2, least, most, origin, far))
                 | select(0u, 8u, beam_meets(low3, high3, least, most, origin, far))
             );
-            let end = dot(bitcast<vec3f>(words.xyz), ahead);
-            let along = order_key(end + subgroupShuffle(end, lane ^ 1u), child);
-            let key = select(LAST_KEY | i32(child), along, ((met >> child) & 1u) != 0u);
-            let rank = u32(subgroupBroadcast(key, 0u) < key)
-                + u32(subgroupBroadcast(key, 2u) < key)
-                + u32(subgroupBroadcast(key, 4u) < key)
-                + u32(subgroupBroadcast(key, 6u) < key);
-            // The lane of the child that comes as the lane's number.
-            var place = 6u;
-            place = select(place, 4u, subgroupBroadcast(rank, 4u) == lane);
-            place = select(place, 2u, subgroupBroadcast(rank, 2u) == lane);
-            place = select(place, 0u, subgroupBroadcast(rank, 0u) == lane);
-            let links = subgroupShuffle(words.w, place);
-            link = next_link(&stack, links, countOneBits(met), lane);
+            link = next_child(&stack, words, met, ahead, lane);
         }
         let end = link / 8u + link % 8u;
         for (var i = link / 8u; i < end; i++) {

@@ -85,6 +85,32 @@ fn order_key(along: f32, child: u32) -> i32 {
     return ((bits ^ ((bits >> 31u) & 0x7fffffff)) & ~3) | i32(child);
 }
 
+// Goes on with the children of a node, which these words hold, that some ray meets: a bit each. They
+// are visited in the order of their middles along `ahead`.
+fn next_child(
+    stack: ptr<function, Stack>,
+    words: vec4u,
+    met: u32,
+    ahead: vec3f,
+    lane: u32,
+) -> u32 {
+    let child = lane >> 1u;
+    let end = dot(bitcast<vec3f>(words.xyz), ahead);
+    let along = order_key(end + subgroupShuffle(end, lane ^ 1u), child);
+    let key = select(LAST_KEY | i32(child), along, ((met >> child) & 1u) != 0u);
+    let rank = u32(subgroupBroadcast(key, 0u) < key)
+        + u32(subgroupBroadcast(key, 2u) < key)
+        + u32(subgroupBroadcast(key, 4u) < key)
+        + u32(subgroupBroadcast(key, 6u) < key);
+    // The lane of the child that comes as the lane's number.
+    var place = 6u;
+    place = select(place, 4u, subgroupBroadcast(rank, 4u) == lane);
+    place = select(place, 2u, subgroupBroadcast(rank, 2u) == lane);
+    place = select(place, 0u, subgroupBroadcast(rank, 0u) == lane);
+    let links = subgroupShuffle(words.w, place);
+    return next_link(stack, links, countOneBits(met), lane);
+}
+
 // The nearest hit at 0 < t < limit, or, with `any`, one of them. The limit 0 means no ray.
 fn traverse(
     origin: vec3f,
@@ -95,13 +121,12 @@ fn traverse(
     invocation: u32,
 ) -> Hit {
     let lane = invocation & 7u;
-    let child = lane >> 1u;
     let reciprocal = finite_reciprocal(direction);
     var best = Hit(limit, NOTHING, vec3f(0.0));
     var lowest = NOTHING;
     // A lane that has what it wants sets this below 0, and meets nothing any more.
     var reach = select(limit, -1.0, limit <= 0.0);
-    // Children are visited in the order of their middles along the packet.
+    // The way of the packet, along which children are in order.
     let ahead = subgroupAdd(select(vec3f(0.0), direction, limit > 0.0));
     var stack = Stack();
     var link = select(0u, ROOT, subgroupAny(limit > 0.0));
@@ -125,20 +150,7 @@ fn traverse(
                 | select(0u, 4u, meets_child(low2, high2, reciprocal, origin, far))
                 | select(0u, 8u, meets_child(low3, high3, reciprocal, origin, far))
             );
-            let end = dot(bitcast<vec3f>(words.xyz), ahead);
-            let along = order_key(end + subgroupShuffle(end, lane ^ 1u), child);
-            let key = select(LAST_KEY | i32(child), along, ((met >> child) & 1u) != 0u);
-            let rank = u32(subgroupBroadcast(key, 0u) < key)
-                + u32(subgroupBroadcast(key, 2u) < key)
-                + u32(subgroupBroadcast(key, 4u) < key)
-                + u32(subgroupBroadcast(key, 6u) < key);
-            // The lane of the child that comes as the lane's number.
-            var place = 6u;
-            place = select(place, 4u, subgroupBroadcast(rank, 4u) == lane);
-            place = select(place, 2u, subgroupBroadcast(rank, 2u) == lane);
-            place = select(place, 0u, subgroupBroadcast(rank, 0u) == lane);
-            let links = subgroupShuffle(words.w, place);
-            link = next_link(&stack, links, countOneBits(met), lane);
+            link = next_child(&stack, words, met, ahead, lane);
         }
         let end = link / 8u + link % 8u;
         for (var i = link / 8u; i < end; i++) {
