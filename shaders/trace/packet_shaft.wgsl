@@ -1,4 +1,4 @@
-// Does a packet meet a box? One test for all its segments: interval arithmetic over the
+// Does a packet meet the boxes of a node's children? One test for all its segments: interval arithmetic over the
 // bounds of their ends, as in Wald et al., "Ray Tracing Deformable Scenes using Dynamic
 // Bounding Volume Hierarchies", 2007. Cheapest where boxes are large against packets.
 
@@ -32,11 +32,23 @@ fn packet_bounds(low: vec3f, high: vec3f, d0: vec3f, d1: vec3f, d2: vec3f, d3: v
     );
 }
 
-// Whether some segment of the packet may meet the box, given relative to their origin.
-fn may_meet(s: PacketBounds, low: vec3f, high: vec3f, open: vec4<bool>) -> bool {
+// Which children of a node, which these words hold, some segment of the packet may meet: a bit each.
+// Two lanes test a child.
+fn children_met(
+    s: PacketBounds,
+    words: vec4u,
+    origin: vec3f,
+    open: vec4<bool>,
+    lane: u32,
+) -> u32 {
+    let own = bitcast<vec3f>(words.xyz) - origin;
+    let other = subgroupShuffle(own, lane ^ 1u);
+    let low = select(own, other, (lane & 1u) != 0u);
+    let high = select(other, own, (lane & 1u) != 0u);
+    let is = subgroupShuffle(words.w, lane & 6u) != 0u;
     let enter = max(low * s.enter_up, high * s.enter_down);
     let leave = min(high * s.leave_up + s.never_up, low * s.leave_down + s.never_down);
     let near = max(max(enter.x, enter.y), max(enter.z, 0.0));
     let far = min(min(leave.x, leave.y), min(leave.z, 1.0));
-    return near <= far * WIDEN_SHAFT;
+    return subgroupOr(select(0u, 1u << (lane >> 1u), is && near <= far * WIDEN_SHAFT));
 }

@@ -1,13 +1,9 @@
 // Shadow rays in packets. A packet is what a subgroup holds: 4 neighbouring points a lane,
-// all seen from one VPL. It goes through the hierarchy as one: boxes are tested by
-// `may_meet` of the packet_*.wgsl that is linked, a leaf's shapes against each segment by
-// `blocks` of the blocker_*.wgsl. Nodes and triangles are loaded by eight lanes together, a word
-// each.
+// all seen from one VPL. It goes through the hierarchy as one: a node's children are tested by
+// `children_met` of the packet_*.wgsl that is linked, a leaf's shapes against each segment by
+// `blocks` of the blocker_*.wgsl.
 //
 // No lane returns early: a subgroup shares its loads.
-
-@group(0) @binding(1) var<storage, read> nodes: array<f32>;
-@group(0) @binding(2) var<storage, read> triangles: array<f32>;
 
 @compute @workgroup_size(64)
 fn main(
@@ -72,52 +68,27 @@ fn main(
 
         let bounds = packet_bounds(low - origin, high - origin, d0, d1, d2, d3);
         let none = !subgroupAny(open0 || open1 || open2 || open3);
-        var at = select(0u, params.nodes, none);
-        while at < params.nodes {
+        // The way to the middle of the packet's ends.
+        let ahead = (low - origin) + (high - origin);
+        var stack = Stack();
+        var link = select(ROOT, 0u, none);
+        while link != 0u {
             // Down to the next leaf that the packet may meet.
-            var leaf = 0u;
-            while at < params.nodes {
-                let loaded = nodes[8u * at + lane];
-                let box_low = vec3f(
-                    subgroupBroadcast(loaded, 0u),
-                    subgroupBroadcast(loaded, 1u),
-                    subgroupBroadcast(loaded, 2u),
-                );
-                let skip = bitcast<u32>(subgroupBroadcast(loaded, 3u));
-                let box_high = vec3f(
-                    subgroupBroadcast(loaded, 4u),
-                    subgroupBroadcast(loaded, 5u),
-                    subgroupBroadcast(loaded, 6u),
-                );
+            while link != 0u && (link & 7u) == 0u {
+                let words = textureLoad(node_table, table_place(link + lane), 0);
                 let open = vec4<bool>(open0, open1, open2, open3);
-                let met = may_meet(bounds, box_low - origin, box_high - origin, open);
-                leaf = select(0u, bitcast<u32>(subgroupBroadcast(loaded, 7u)), met);
-                at = select(skip, at + 1u, met);
-                if leaf != 0u { break; }
+                let met = children_met(bounds, words, origin, open, lane);
+                link = next_child(&stack, words, met, ahead, lane);
             }
-            let end = leaf / 8u + leaf % 8u;
-            for (var j = leaf / 8u; j < end; j++) {
-                let head = triangles[12u * j + lane];
-                let tail = triangles[12u * j + 8u + (lane & 3u)];
+            let end = link / 8u + link % 8u;
+            for (var j = link / 8u; j < end; j++) {
+                let loaded = textureLoad(triangle_table, table_place(3u * j + min(lane, 2u)), 0);
+                let one = subgroupBroadcast(loaded, 0u);
+                let two = subgroupBroadcast(loaded, 1u);
+                let three = subgroupBroadcast(loaded, 2u);
                 let k = blocker(
-                    vec3f(
-                        subgroupBroadcast(head, 0u),
-                        subgroupBroadcast(head, 1u),
-                        subgroupBroadcast(head, 2u),
-                    ),
-                    vec3f(
-                        subgroupBroadcast(head, 4u),
-                        subgroupBroadcast(head, 5u),
-                        subgroupBroadcast(head, 6u),
-                    ),
-                    vec3f(
-                        subgroupBroadcast(tail, 0u),
-                        subgroupBroadcast(tail, 1u),
-                        subgroupBroadcast(tail, 2u),
-                    ),
-                    bitcast<u32>(subgroupBroadcast(tail, 3u)),
-                    bitcast<u32>(subgroupBroadcast(head, 7u)),
-                    origin,
+                    bitcast<vec3f>(one.xyz), bitcast<vec3f>(two.xyz), bitcast<vec3f>(three.xyz),
+                    three.w, two.w, origin,
                 );
                 open0 = open0 && !blocks(k, d0);
                 open1 = open1 && !blocks(k, d1);
@@ -125,8 +96,9 @@ fn main(
                 open3 = open3 && !blocks(k, d3);
             }
             if !subgroupAny(open0 || open1 || open2 || open3) { break; }
+            link = next_link(&stack, 0u, 0u, lane);
         }
-        finished = finished && (at >= params.nodes || !(open0 || open1 || open2 || open3));
+        finished = finished && (link == 0u || !(open0 || open1 || open2 || open3));
         seen0 |= u32(open0) << (i & 31u);
         seen1 |= u32(open1) << (i & 31u);
         seen2 |= u32(open2) << (i & 31u);

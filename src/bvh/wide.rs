@@ -13,7 +13,7 @@ const WIDTH: usize = 4;
 /// The root; what stands before it is no node, as 0 links to none.
 const ROOT: usize = 1;
 /// Children that a packet keeps to visit later, at most: `Stack` in
-/// `shaders/trace/traverse_packet.wgsl` has room for so many.
+/// `shaders/trace/wide_nodes.wgsl` has room for so many.
 const MOST_WAITING: usize = 64;
 
 /// A child: its box, and where it is. 32 bytes, two texels of a texture.

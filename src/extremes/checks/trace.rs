@@ -9,6 +9,7 @@ use crate::gpu::{Dispatch, Gpu, GpuError, Module, PointRecord, Program, Texture}
 use crate::render::Features;
 use crate::render::kernels::catalogue::{
     HIT_TRIANGLES, LITERALS, RAY, SHAPE_TRIANGLE, TABLE, TRAVERSE, TRAVERSE_PACKET, TYPES,
+    WIDE_NODES,
 };
 use crate::render::kernels::literals::{Literals, meet};
 use crate::render::kernels::shapes;
@@ -122,7 +123,10 @@ pub fn on_device(gpu: &Gpu, world: &World, rays: &[Ray], any: bool) -> Result<An
     let of_nodes = |traverse: &[&'static Module]| [&shapes[..], traverse].concat();
     let mut sides = vec![("device", with(&of_nodes(&[&TRAVERSE]), None)?)];
     if gpu.has_subgroups() {
-        sides.push(("device, packets", with(&of_nodes(&[&TABLE, &TRAVERSE_PACKET]), None)?));
+        sides.push((
+            "device, packets",
+            with(&of_nodes(&[&TABLE, &WIDE_NODES, &TRAVERSE_PACKET]), None)?,
+        ));
     }
     let plain = world.features == Features::default();
     if plain && world.bvh.triangles.len() <= MOST_LITERALS {

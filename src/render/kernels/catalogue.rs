@@ -86,6 +86,7 @@ modules! {
     VPL_GLOSSY = "visibility/vpl_glossy" for "phong";
     RAY = "trace/ray";
     TRAVERSE = "trace/traverse" for "bounding volume hierarchy";
+    WIDE_NODES = "trace/wide_nodes" for "bounding volume hierarchy";
     TRAVERSE_PACKET = "trace/traverse_packet" for "bounding volume hierarchy";
     LITERALS = "trace/literals" for "triangles as literals";
     HIT_TRIANGLES = "trace/hit_triangles";

@@ -3,7 +3,7 @@
 use super::catalogue::{
     BLOCKER_ANY, BLOCKER_TRIANGLE, LITERALS, OPAQUE_ALL, OPAQUE_CUTOUT, PACKET_RAYS, PACKET_SHAFT,
     RAY, SHAPE_ANY, SHAPE_TRIANGLE, TABLE, TEXTURE, TRAVERSE, TRAVERSE_PACKET, UV_ANY, UV_TRIANGLE,
-    VISIBILITY_LITERALS, VISIBILITY_PACKET, VISIBILITY_SINGLE,
+    VISIBILITY_LITERALS, VISIBILITY_PACKET, VISIBILITY_SINGLE, WIDE_NODES,
 };
 use crate::gpu::Module;
 use crate::render::features::{Features, Target};
@@ -31,7 +31,7 @@ pub fn rays(target: Target) -> Vec<&'static Module> {
     }
     let mut modules = shapes(target.features);
     match target.subgroups {
-        true => modules.extend([&TABLE, &TRAVERSE_PACKET]),
+        true => modules.extend([&TABLE, &WIDE_NODES, &TRAVERSE_PACKET]),
         false => modules.push(&TRAVERSE),
     }
     modules
@@ -88,8 +88,8 @@ impl Tracing {
     pub(super) fn modules(self) -> Vec<&'static Module> {
         match self {
             Self::Single => vec![&TRAVERSE, &VISIBILITY_SINGLE],
-            Self::Shaft => vec![&PACKET_SHAFT, &VISIBILITY_PACKET],
-            Self::Rays => vec![&PACKET_RAYS, &VISIBILITY_PACKET],
+            Self::Shaft => vec![&TABLE, &WIDE_NODES, &PACKET_SHAFT, &VISIBILITY_PACKET],
+            Self::Rays => vec![&TABLE, &WIDE_NODES, &PACKET_RAYS, &VISIBILITY_PACKET],
             Self::Literals => vec![&VISIBILITY_LITERALS],
         }
     }
