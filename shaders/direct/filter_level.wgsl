@@ -3,16 +3,6 @@
 // "Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering", HPG 2010.
 
 @group(0) @binding(94) var means: texture_2d<u32>;
-@group(0) @binding(97) var light: texture_2d<u32>;
-
-fn light_at(at: u32) -> Gathered {
-    var sum = Gathered();
-    for (var lobe = 0u; lobe < LOBES; lobe++) {
-        let packed = textureLoad(light, table_place(LOBES * at + lobe), 0);
-        sum += gathered_by(lobe, bitcast<vec4f>(packed));
-    }
-    return sum;
-}
 
 // A local mean and its variance.
 fn mean_at(at: u32) -> vec2f {

@@ -4,9 +4,7 @@
 // subset's irradiance is the mean, with the weights of a tent of 2s - 1 pixels, over its pixels
 // that see the same surface, less of those that see other lights; the subsets count alike.
 
-@group(0) @binding(17) var<storage, read> surfaces: array<vec4u>;
-@group(0) @binding(18) var<storage, read> gathered: array<Gathered>;
-@group(0) @binding(19) var<storage, read_write> combined: array<Gathered>;
+@group(0) @binding(92) var surface_table: texture_2d<u32>;
 
 // How much the light of a point counts that sees one light more, or less, of eight.
 const UNLIKE = 0.25;
@@ -20,7 +18,7 @@ struct Surface {
 }
 
 fn load_surface(at: i32) -> Surface {
-    let packed = surfaces[at];
+    let packed = textureLoad(surface_table, table_place(u32(at)), 0);
     let code = packed.w & 0xffffffu;
     return Surface(bitcast<vec3f>(packed.xyz), normal_of_code(code), code, packed.w >> 24u);
 }
@@ -51,7 +49,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
                 && one_surface(own.normal, seen.normal, seen.position - own.position);
             let unlike = f32(countOneBits(own.signature ^ seen.signature));
             let weight = select(0.0, f32(s - abs(step)) * pow(UNLIKE, unlike), same);
-            tap += gathered[other] * weight;
+            tap += light_at(u32(other)) * weight;
             weights += weight;
         }
         // A subset that only unlike pixels gather counts less.
@@ -59,6 +57,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         subsets += min(weights, 1.0);
     }
     // What the clamp took is summed over the image only, and stays with its pixel.
-    let result = with_clamped(sum * (1.0 / max(subsets, 1e-30)), gathered[at]);
-    combined[select(id.x, u32(at), along_rows)] = result;
+    store_light(id.x, u32(at), with_clamped(sum * (1.0 / max(subsets, 1e-30)), light_at(u32(at))));
 }

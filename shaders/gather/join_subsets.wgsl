@@ -4,8 +4,7 @@
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
 @group(0) @binding(7) var<storage, read> irradiance: array<Gathered>;
-@group(0) @binding(17) var<storage, read_write> surfaces: array<vec4u>;
-@group(0) @binding(18) var<storage, read_write> gathered: array<Gathered>;
+@group(0) @binding(93) var packed_surfaces: texture_storage_2d<rgba32uint, write>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -16,8 +15,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let subset = (place.x + s * place.y + params.rotation) % (s * s);
     let from_point = subset * params.subset_points + point_of(pixel / vec2u(s), params.subset_width);
     let index = point_of(pixel, params.width);
-    gathered[id.x] = with_compensation(index, irradiance[from_point]);
+    store_light(index, id.x, with_compensation(index, irradiance[from_point]));
     let point = points[index];
-    let packed = surface_code(point) | (signature_of(index) << 24u);
-    surfaces[id.x] = vec4u(bitcast<vec3u>(point.position), packed);
+    let code = surface_code(point) | (signature_of(index) << 24u);
+    textureStore(packed_surfaces, table_place(id.x), vec4u(bitcast<vec3u>(point.position), code));
 }

@@ -51,7 +51,8 @@ pub fn all_programs() -> Vec<Program> {
             programs.extend([link_rays(target, emits), resolve_rays(target, emits)]);
         }
         programs.extend([replace_points(target), resolve(target)]);
-        programs.extend([emit(target), reflect(target), discontinuity_buffer(target)]);
+        programs.extend([emit(target), reflect(target)]);
+        programs.extend([false, true].map(|last| discontinuity_buffer(target, last)));
         programs.extend([false, true].map(|given| clamped_energy(target, given)));
         for probed in [false, true] {
             programs.extend([false, true].map(|given| join_subsets(target, probed, given)));

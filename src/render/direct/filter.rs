@@ -74,14 +74,14 @@ impl<'a> DirectFilter<'a> {
             };
             // From either table to the other.
             let [from, to] = [level % 2, (level + 1) % 2].map(|i| &light[i as usize]);
-            let textures = [("light", from), ("filtered_light", to), ("means", &local_means)];
+            let textures = [("light", from), ("stored_light", to), ("means", &local_means)];
             bind(program, &[&textures[..], &[("surface_table", &surfaces)]].concat())
         });
         Ok(Self {
             levels: levels.collect::<Result<_, _>>()?,
             surfaces: bind(&pack, &[("packed_surfaces", &surfaces)])?,
             counts: bind(&counts, &[("surface_table", &surfaces)])?,
-            light: bind(&pack_light, &[("filtered_light", &light[0]), ("packed_means", &means)])?,
+            light: bind(&pack_light, &[("stored_light", &light[0]), ("packed_means", &means)])?,
             means: bind(&guide, &[("means", &means), ("packed_means", &local_means)])?,
             ray_counts,
             params: FilterParams {

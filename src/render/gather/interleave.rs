@@ -6,12 +6,12 @@ use std::time::Duration;
 
 use rayon::prelude::*;
 
-use crate::gpu::{GpuError, InterleaveParams, PointRecord};
+use crate::gpu::{GpuError, InterleaveParams, PointRecord, Program, TableFormat};
 use crate::render::camera::{BLOCK, Tile, Tiling, pixel_of, point_of};
 use crate::render::kernels;
 use crate::render::prepared::Prepared;
 use crate::render::settings::Settings;
-use crate::render::stage::{Named, Stage};
+use crate::render::stage::{Named, NamedTexture, Stage};
 
 /// Which pixels of a tile gather which subset of the VPLs, and their order: subset after
 /// subset, each as the image of its pixels alone.
@@ -114,32 +114,29 @@ impl Interleave {
         let points = gpu.storage::<PointRecord>("interleaved points", most)?;
         let irradiance = gpu.storage::<[f32; 4]>("interleaved irradiance", most * lobes)?;
         let pixels = tiling.most_points() as usize;
-        let surfaces = gpu.storage::<[u32; 4]>("surfaces", pixels)?;
         let signatures = probed.then(|| gpu.storage::<u32>("signatures", pixels)).transpose()?;
-        let gathered = gpu.storage::<[f32; 4]>("gathered irradiance", pixels * lobes)?;
-        let own = [
-            ("split_points", &points),
-            ("irradiance", &irradiance),
-            ("surfaces", &surfaces),
-            ("gathered", &gathered),
-        ];
+        let table = |name, texels| gpu.table(name, texels, TableFormat::Quadruples);
+        let surfaces = table("surfaces", pixels)?;
+        let gathered = table("gathered irradiance", pixels * lobes)?;
+        let half = table("half combined irradiance", pixels * lobes)?;
+        let own = [("split_points", &points), ("irradiance", &irradiance)];
         // The first buffer of a name counts.
         let mut buffers = [&own[..], tile].concat();
         buffers.extend(signatures.as_ref().map(|signatures| ("signatures", signatures)));
-        let split = Stage::new(prepared, &kernels::split_subsets(), &buffers)?;
+        let bind = |program: &Program, buffers: &[Named<'_>], textures: &[NamedTexture<'_>]| {
+            Stage::with_textures(prepared, program, buffers, textures)
+        };
+        let split = bind(&kernels::split_subsets(), &buffers, &[])?;
         let join = kernels::join_subsets(target, probed, settings.compensates());
-        let join = Stage::new(prepared, &join, &buffers)?;
-        let half = gpu.storage::<[f32; 4]>("half combined irradiance", pixels * lobes)?;
-        let bind = |from_to: [Named<'_>; 2]| {
-            Stage::new(
-                prepared,
-                &kernels::discontinuity_buffer(target),
-                &[&from_to[..], &buffers].concat(),
-            )
+        let to_tables = [("packed_surfaces", &surfaces), ("stored_light", &gathered)];
+        let join = bind(&join, &buffers, &to_tables)?;
+        let combine = |light, last, buffers: &[Named<'_>], to: &[NamedTexture<'_>]| {
+            let from = [("surface_table", &surfaces), ("light", light)];
+            bind(&kernels::discontinuity_buffer(target, last), buffers, &[&from[..], to].concat())
         };
         let discontinuity_buffer = [
-            bind([("gathered", &gathered), ("combined", &half)])?,
-            bind([("gathered", &half), ("combined", combined)])?,
+            combine(&gathered, false, &[], &[("stored_light", &half)])?,
+            combine(&half, true, &[("irradiance", combined)], &[])?,
         ];
         let across = tiling.across();
         Ok(Self { s, across, points, irradiance, signatures, split, join, discontinuity_buffer })
@@ -229,11 +226,14 @@ mod tests {
     fn what_the_device_splits_it_joins_again() {
         let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
         let split = gpu.compile(&kernels::split_subsets()).unwrap();
-        let join = gpu.compile(&kernels::join_subsets(Target::plain(true), false, false)).unwrap();
+        let plain = Target::plain(true);
+        let join = gpu.compile(&kernels::join_subsets(plain, false, false)).unwrap();
+        let combine = gpu.compile(&kernels::discontinuity_buffer(plain, true)).unwrap();
         for (s, sample) in [(2, 0), (2, 1), (3, 1), (4, 3), (8, 5)] {
             let subsets = Subsets::of(s, 5, 15, sample);
             let params = subsets.params();
-            let named = |surface| PointRecord { surface, ..PointRecord::zeroed() };
+            let named =
+                |surface| PointRecord { surface, normal: [0.0, 0.0, 1.0], ..PointRecord::zeroed() };
             let records: Vec<_> = (0..15 * BLOCK).map(named).collect();
             let params_buffer = gpu.parameters::<InterleaveParams>("params").unwrap();
             gpu.write(&params_buffer, &[params]).unwrap();
@@ -253,17 +253,24 @@ mod tests {
 
             let values: Vec<[f32; 4]> = found.iter().map(|&name| [name as f32; 4]).collect();
             let irradiance = gpu.storage_of("irradiance", &values).unwrap();
-            let surfaces = gpu.storage::<[u32; 4]>("surfaces", records.len()).unwrap();
-            let gathered = gpu.storage::<[f32; 4]>("gathered", records.len()).unwrap();
             let buffers = [&buffers[..2], &[("irradiance", &irradiance)]].concat();
-            let own = [("surfaces", &surfaces), ("gathered", &gathered)];
-            let bindings = gpu.bind(&join, &[&buffers[..], &own].concat()).unwrap();
+            let table = |name| gpu.table(name, records.len(), TableFormat::Quadruples).unwrap();
+            let [surfaces, gathered] = ["surfaces", "gathered"].map(table);
+            let tables = [("packed_surfaces", &surfaces), ("stored_light", &gathered)];
+            let bindings = gpu.bind_with(&join, &buffers, &tables).unwrap();
             gpu.run(&[Dispatch { kernel: &join, bindings: &bindings, workgroups: [15, 1] }])
                 .unwrap();
-            let gathered: Vec<[f32; 4]> = gpu.read(&gathered, records.len()).unwrap();
-            for (at, value) in (0..).zip(gathered) {
-                let point = point_of([at % 40, at / 40], 40);
-                assert_eq!(value[0], (point + 1) as f32, "s = {s}, sample {sample}, pixel {at}");
+            // With one subset, pixels are combined with none but themselves.
+            gpu.write(&params_buffer, &[InterleaveParams { s: 1, ..params }]).unwrap();
+            let combined = gpu.storage::<[f32; 4]>("combined", records.len()).unwrap();
+            let buffers = [("params", &params_buffer), ("irradiance", &combined)];
+            let tables = [("surface_table", &surfaces), ("light", &gathered)];
+            let bindings = gpu.bind_with(&combine, &buffers, &tables).unwrap();
+            gpu.run(&[Dispatch { kernel: &combine, bindings: &bindings, workgroups: [15, 1] }])
+                .unwrap();
+            let combined: Vec<[f32; 4]> = gpu.read(&combined, records.len()).unwrap();
+            for (point, value) in combined.iter().enumerate() {
+                assert_eq!(value[0], (point + 1) as f32, "s = {s}, sample {sample}");
             }
         }
     }

@@ -173,8 +173,6 @@ modules! {
     FILTER_GUIDE = "direct/filter_guide" for "filter of direct light";
     FILTER_NEAR = "direct/filter_near" for "filter of direct light";
     FILTER_FAR = "direct/filter_far" for "filter of direct light";
-    FILTER_TO_TABLE = "direct/filter_to_table" for "filter of direct light";
-    FILTER_TO_POINTS = "direct/filter_to_points" for "filter of direct light";
     FILTER_LEVEL = "direct/filter_level" for "filter of direct light";
     RAYS_ALIKE = "direct/rays_alike";
     RAYS_COUNTED = "direct/rays_counted" for "filter of direct light";
@@ -207,6 +205,9 @@ modules! {
     SURFACE_PLAIN = "gather/surface_plain";
     SURFACE_LOBED = "gather/surface_lobed" for "phong";
     SURFACE_LOBE_CODE = "gather/surface_lobe_code" for "phong";
+    LIGHT_TABLE = "gather/light_table";
+    LIGHT_TO_TABLE = "gather/light_to_table";
+    LIGHT_TO_POINTS = "gather/light_to_points";
     JOIN_SUBSETS = "gather/join_subsets" for "interleaved sampling";
     DISCONTINUITY_BUFFER = "gather/discontinuity_buffer" for "interleaved sampling";
     SEEN_HARD = "gather/seen_hard";

@@ -4,11 +4,11 @@ use super::camera::corners;
 use super::catalogue::{
     CHOOSE_STRATUM, CHOOSE_STRATUM_EVEN, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, EMITTED,
     EMITTED_ANY, EMITTED_NONE, ESCAPING, ESCAPING_NONE, FILTER_FAR, FILTER_GUIDE, FILTER_LEVEL,
-    FILTER_NEAR, FILTER_PARAMS, FILTER_SURFACES, FILTER_TO_POINTS, FILTER_TO_TABLE, GUIDE,
-    GUIDE_PARAMS, GUIDE_PILOT, GUIDE_UNSHADOWED, HEMISPHERE, HIT_POINT, LIGHT_KINDS, LOBE_RAYS,
-    LOBE_SAMPLE, MEAN, MIS, ONE_SURFACE, PACK_LIGHT, PACK_SURFACES, PIXELS, RAY, RAY_COUNTS,
-    RAYS_ALIKE, RAYS_COUNTED, RECEIVER_LOBED, RECEIVER_PLAIN, SAMPLING, SPHERE_CONE, TABLE,
-    TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
+    FILTER_NEAR, FILTER_PARAMS, FILTER_SURFACES, GUIDE, GUIDE_PARAMS, GUIDE_PILOT,
+    GUIDE_UNSHADOWED, HEMISPHERE, HIT_POINT, LIGHT_KINDS, LIGHT_TABLE, LIGHT_TO_POINTS,
+    LIGHT_TO_TABLE, LOBE_RAYS, LOBE_SAMPLE, MEAN, MIS, ONE_SURFACE, PACK_LIGHT, PACK_SURFACES,
+    PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, RECEIVER_LOBED, RECEIVER_PLAIN, SAMPLING,
+    SPHERE_CONE, TABLE, TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
 };
 use super::gather::{surface, surface_code};
 use super::lights::{light_strata, lights_of, sky};
@@ -149,7 +149,7 @@ pub fn ray_counts(target: Target) -> Program {
 
 /// The light of visible points in the order of pixels.
 pub fn pack_light(target: Target) -> Program {
-    let modules = [&filtering()[..], &[gathered(target), &PACK_LIGHT]].concat();
+    let modules = [&filtering()[..], &[gathered(target), &LIGHT_TO_TABLE, &PACK_LIGHT]].concat();
     Program::new("direct light, packing", modules)
 }
 
@@ -167,8 +167,8 @@ pub fn filter_level(target: Target, near: bool, last: bool) -> Program {
         true => modules.push(&FILTER_NEAR),
         false => modules.extend(surfaces_around(target).into_iter().chain([&FILTER_FAR])),
     }
-    let to = if last { &FILTER_TO_POINTS } else { &FILTER_TO_TABLE };
-    modules.extend([gathered(target), to, &FILTER_LEVEL]);
+    let to = if last { &LIGHT_TO_POINTS } else { &LIGHT_TO_TABLE };
+    modules.extend([gathered(target), &LIGHT_TABLE, to, &FILTER_LEVEL]);
     Program::new("direct light, filter", modules)
 }
 

@@ -2,10 +2,11 @@
 
 use super::catalogue::{
     BSDF, CLAMPED_ENERGY, COMPENSATION_ADDED, COMPENSATION_NONE, DISCONTINUITY_BUFFER,
-    GATHER_PARAMS, JOIN_SUBSETS, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
-    PAIR_UNBOUNDED, PIXELS, REFLECT, ROW_CLUSTER, ROW_POINT, SEEN_FUZZY, SEEN_HARD, SHADE,
-    SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE, SIGNATURE_PROBED, SPLIT_SUBSETS, SUBSETS,
-    SURFACE_LOBE_CODE, SURFACE_LOBED, SURFACE_PLAIN, TYPES,
+    GATHER_PARAMS, JOIN_SUBSETS, LIGHT_TABLE, LIGHT_TO_POINTS, LIGHT_TO_TABLE, ONE_SURFACE,
+    PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PIXELS, REFLECT, ROW_CLUSTER,
+    ROW_POINT, SEEN_FUZZY, SEEN_HARD, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE,
+    SIGNATURE_PROBED, SPLIT_SUBSETS, SUBSETS, SURFACE_LOBE_CODE, SURFACE_LOBED, SURFACE_PLAIN,
+    TABLE, TYPES,
 };
 use super::materials::{albedo, gathered, lobes};
 use super::visibility::{Emitter, vpl};
@@ -26,12 +27,13 @@ pub fn join_subsets(target: Target, probed: bool, compensated: bool) -> Program 
     let given = if compensated { &COMPENSATION_ADDED } else { &COMPENSATION_NONE };
     let mut modules = vec![&TYPES, gathered(target), &PIXELS, &SUBSETS, signature, given];
     modules.extend(surface_code(target));
-    modules.push(&JOIN_SUBSETS);
+    modules.extend([&TABLE, &LIGHT_TO_TABLE, &JOIN_SUBSETS]);
     Program::new("collection", modules)
 }
 
-/// Interleaved sampling: what the pixels around have gathered.
-pub fn discontinuity_buffer(target: Target) -> Program {
+/// Interleaved sampling: what the pixels around have gathered, along rows for pixels, or at last
+/// along columns for points.
+pub fn discontinuity_buffer(target: Target, last: bool) -> Program {
     let modules = vec![
         &TYPES,
         gathered(target),
@@ -39,6 +41,9 @@ pub fn discontinuity_buffer(target: Target) -> Program {
         &SUBSETS,
         &ONE_SURFACE,
         surface(target),
+        &TABLE,
+        &LIGHT_TABLE,
+        if last { &LIGHT_TO_POINTS } else { &LIGHT_TO_TABLE },
         &DISCONTINUITY_BUFFER,
     ];
     Program::new("combination", modules)

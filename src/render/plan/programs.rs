@@ -56,7 +56,8 @@ impl Plan {
                 programs.extend([
                     split_subsets(),
                     join_subsets(target, settings.probes(), settings.compensates()),
-                    discontinuity_buffer(target),
+                    discontinuity_buffer(target, false),
+                    discontinuity_buffer(target, true),
                 ]);
             }
             if settings.compensates() {

@@ -1,4 +1,4 @@
-// The result of the last level, for the visible points.
+// What a pixel has gathered goes to its visible point.
 
 @group(0) @binding(7) var<storage, read_write> irradiance: array<Gathered>;
 
