@@ -220,7 +220,7 @@ fn every_struct_in_a_buffer_has_a_host_record() {
     assert!(seen > 11, "only {seen} buffers of structs");
 }
 
-/// `trace/traverse_packet.wgsl` reads nodes and triangles by four words.
+/// `trace/wide_nodes.wgsl` is read by four words, nodes and triangles alike.
 #[test]
 fn packets_find_the_children_of_nodes() {
     assert_eq!((size_of::<WideNode>(), size_of::<WideChild>()), (8 * 16, 2 * 16));
@@ -254,17 +254,6 @@ fn lights_are_found_in_their_tables() {
     let choice = [offset_of!(Sphere, before), offset_of!(Sphere, probability)];
     assert_eq!([place, emission, choice], [[0, 12], [16, 28], [32, 36]]);
     assert_eq!(size_of::<Sphere>(), 3 * 16);
-}
-
-/// `visibility_packet.wgsl` reads nodes and triangles word by word.
-#[test]
-fn packets_find_the_words_of_nodes_and_triangles() {
-    assert_eq!((size_of::<NodeRecord>(), size_of::<TriangleRecord>()), (8 * 4, 12 * 4));
-    assert_eq!([offset_of!(NodeRecord, low), offset_of!(NodeRecord, high)], [0, 4 * 4]);
-    assert_eq!([offset_of!(NodeRecord, skip), offset_of!(NodeRecord, leaf)], [3 * 4, 7 * 4]);
-    let corners = [offset_of!(TriangleRecord, a), offset_of!(TriangleRecord, b)];
-    assert_eq!(corners, [0, 4 * 4]);
-    assert_eq!(offset_of!(TriangleRecord, c), 8 * 4);
 }
 
 #[test]
