@@ -18,7 +18,7 @@ var<workgroup> beam_sums: array<vec3f, 512>;
 // Whether surfaces meet here, as the pixels around tell.
 fn surfaces_meet(tile: TilePixels, pixel: vec2u) -> bool {
     var meet = (meetings[place_of(tile, pixel)] & 1u) != 0u;
-    for (var i = 0u; i < 9u; i++) {
+    for (var i = 0u; i < pixels_around(); i++) {
         meet = meet || (i != OWN && (meetings[place_of(tile, around(tile, pixel, i))] & 2u) != 0u);
     }
     return meet;
@@ -27,7 +27,7 @@ fn surfaces_meet(tile: TilePixels, pixel: vec2u) -> bool {
 fn radiances_differ(tile: TilePixels, pixel: vec2u) -> bool {
     var low = vec3f(HUGE);
     var high = vec3f(0.0);
-    for (var i = 0u; i < 9u; i++) {
+    for (var i = 0u; i < pixels_around(); i++) {
         let other = around(tile, pixel, i);
         let range = ranges[place_of(tile, other)];
         let is = any(other != pixel);
@@ -57,7 +57,9 @@ fn beam_sum(tile: TilePixels, own: u32, first: u32, end: u32, invocation: u32) -
     var surfaces: array<vec4u, 4>;
     var throughputs: array<vec3f, 4>;
     var sum = vec3f(0.0);
-    for (var i = 0u; i < BEAM_RAYS; i++) {
+    // No constant: see `pixels_around`.
+    let rays = select(min(end - first, BEAM_RAYS), 0u, first >= end);
+    for (var i = 0u; i < rays; i++) {
         let direction = beam_direction(beam, i);
         let chain = specular_chain_from(
             beam_hit(hits, i), direction, beam.limits[i], params.nodes, params.offset,
@@ -77,7 +79,7 @@ fn beam_sum(tile: TilePixels, own: u32, first: u32, end: u32, invocation: u32) -
         unpack_surface(surfaces[2]),
         unpack_surface(surfaces[3]),
     ));
-    for (var i = 0u; i < BEAM_RAYS; i++) {
+    for (var i = 0u; i < rays; i++) {
         if codes[i] != NO_LIGHT {
             sum += radiance[point_at(tile, around(tile, pixel, codes[i]))].rgb * throughputs[i];
         }

@@ -13,7 +13,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if pixel.x >= params.width || pixel.y >= params.height { return; }
     let own = surface_around(tile, pixel, OWN);
     var meet = false;
-    for (var i = 0u; i < 9u; i++) { meet = meet || !alike(own, surface_around(tile, pixel, i)); }
+    for (var i = 0u; i < pixels_around(); i++) { meet = meet || !alike(own, surface_around(tile, pixel, i)); }
     var codes = ray_codes[id.x];
     // A loop, as a branch that no invocation takes is not skipped everywhere.
     let rounds = select(0u, 1u, codes == NOT_LINKED);

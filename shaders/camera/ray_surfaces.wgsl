@@ -32,7 +32,7 @@ fn unlikeness(seen: SeenSurface, other: SeenSurface) -> f32 {
 fn linked(tile: TilePixels, pixel: vec2u, rays: RaySurfaces) -> vec4u {
     var best = vec4u(NO_LIGHT);
     var least = vec4f(HUGE);
-    for (var i = 0u; i < 9u; i++) {
+    for (var i = 0u; i < pixels_around(); i++) {
         let other = surface_around(tile, pixel, i);
         let apart = vec4f(
             unlikeness(rays.s0, other),

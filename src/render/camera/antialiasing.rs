@@ -44,7 +44,6 @@ impl<'a> Antialiasing<'a> {
         let (gpu, points) = (&prepared.gpu, setup.most_points());
         let rays = points * MOST_FIRST as usize;
         let mut buffers = vec![
-            ("pixel_surfaces", gpu.storage::<[u32; 4]>("surfaces of pixels", points)?),
             ("ray_surfaces", gpu.storage::<[u32; 4]>("surfaces of rays", rays)?),
             ("ray_codes", gpu.storage::<u32>("links of rays", points)?),
             ("unseen", gpu.storage::<u32>("unseen surfaces", points)?),
@@ -66,7 +65,7 @@ impl<'a> Antialiasing<'a> {
             prepared,
             first: bind(first_rays(target, emits))?,
             unseen: bind(unseen_surfaces())?,
-            replace: bind(replace_points(target))?,
+            replace: bind(replace_points())?,
             link: bind(link_rays(target, emits))?,
             resolve: bind(resolve_rays(target, emits))?,
             more: bind(antialias(target, emits))?,
@@ -74,17 +73,25 @@ impl<'a> Antialiasing<'a> {
         })
     }
 
-    /// Traces the first rays of a tile, and replaces visible points by others that no pixel around
-    /// shows.
+    /// Traces the first rays of a tile, and chooses those whose surfaces no pixel around shows: in
+    /// `point_rays`, to replace visible points.
     ///
     /// # Errors
     /// The device fails.
-    pub fn replace_points(&self, params: &CameraParams) -> Result<Duration, GpuError> {
+    pub fn choose_points(&self, params: &CameraParams) -> Result<Duration, GpuError> {
         let mut time = Duration::ZERO;
-        for stage in [&self.first, &self.unseen, &self.replace, &self.link] {
+        for stage in [&self.first, &self.unseen, &self.replace] {
             time += self.run(stage, params)?;
         }
         Ok(time)
+    }
+
+    /// Links the first rays of a tile to its visible points, once those are what they stay.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn link(&self, params: &CameraParams) -> Result<Duration, GpuError> {
+        self.run(&self.link, params)
     }
 
     /// Traces the first rays of a tile whose visible points are known.
@@ -92,7 +99,7 @@ impl<'a> Antialiasing<'a> {
     /// # Errors
     /// The device fails.
     pub fn trace(&self, params: &CameraParams) -> Result<Duration, GpuError> {
-        Ok(self.run(&self.first, params)? + self.run(&self.link, params)?)
+        Ok(self.run(&self.first, params)? + self.link(params)?)
     }
 
     /// Brings what the first rays see to the film, and what more rays see where that differs.

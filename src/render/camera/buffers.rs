@@ -18,6 +18,9 @@ pub struct TileBuffers {
     /// Radiance of the visible points of a sample, where pixels are antialiased, or mirrors or glass
     /// may be in the way.
     pub radiance: Option<wgpu::Buffer>,
+    /// Where pixels are antialiased, the surfaces of their visible points, and which of the first rays
+    /// finds a point in place of another.
+    pub surfaces: Vec<Attribute>,
 }
 
 impl TileBuffers {
@@ -31,10 +34,18 @@ impl TileBuffers {
         let points = setup.most_points();
         let colours = |label: &str| gpu.storage::<[f32; 4]>(label, points);
         let by_point = settings.antialiases() || features.specular();
+        let mut surfaces = Vec::new();
+        if settings.antialiases() {
+            surfaces = vec![
+                ("pixel_surfaces", gpu.storage::<[u32; 4]>("surfaces of pixels", points)?),
+                ("point_rays", gpu.storage::<u32>("rays of points", points)?),
+            ];
+        }
         Ok(Self {
             film: colours("film")?,
             points: gpu.storage::<PointRecord>("visible points", points)?,
             attributes: attributes(gpu, features, points)?,
+            surfaces,
             radiance: by_point.then(|| colours("radiance")).transpose()?,
         })
     }
@@ -42,7 +53,8 @@ impl TileBuffers {
     /// These and the scene's, by name.
     pub fn named<'a>(&'a self, prepared: &'a Prepared) -> Vec<Named<'a>> {
         let mut named = vec![("points", &self.points), ("film", &self.film)];
-        named.extend(self.attributes.iter().map(|(name, buffer)| (*name, buffer)));
+        let attributes = self.attributes.iter().chain(&self.surfaces);
+        named.extend(attributes.map(|(name, buffer)| (*name, buffer)));
         named.extend(self.radiance.as_ref().map(|buffer| ("radiance", buffer)));
         named.extend(prepared.named());
         named

@@ -1,0 +1,26 @@
+// The ray that finds the visible point of a pixel: the sample's own; or, once the first rays are known,
+// one of them in its place, as replace_points.wgsl says.
+
+// Of each pixel, such a ray, plus one; 0 if there is none.
+@group(0) @binding(108) var<storage, read> point_rays: array<u32>;
+
+@group(0) @binding(101) var<storage, read_write> pixel_surfaces: array<vec4u>;
+
+fn point_ray(point: u32, pixel: vec2u) -> PointRay {
+    let own = own_ray(pixel);
+    let chosen = point_rays[point];
+    let number = ray_number(max(chosen, 1u) - 1u);
+    let replaces = params.rays != 0u;
+    return PointRay(
+        select(own.number, number, replaces),
+        select(own.stream, ray_stream(pixel), replaces),
+        own.in_middle && !replaces,
+        replaces,
+        !replaces || chosen != 0u,
+    );
+}
+
+// Keeps the surface of a point that takes the place of another.
+fn store_replaced(ray: PointRay, pixel: vec2u, point: Point) {
+    if ray.replaces { pixel_surfaces[place_of(tile_pixels(), pixel)] = pack_surface(point); }
+}
