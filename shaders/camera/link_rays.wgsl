@@ -1,7 +1,7 @@
 // Which visible points give their light to the first rays of each pixel, and where surfaces meet.
 
 @group(0) @binding(103) var<storage, read_write> ray_codes: array<u32>;
-// In the order of pixels, 1 if some pixel around sees another surface, and 2 if some ray of the
+// Of each point, 1 if some pixel around sees another surface, and 2 if some ray of the
 // pixel has another's light or sees some that is not reflected.
 @group(0) @binding(105) var<storage, read_write> meetings: array<u32>;
 
@@ -23,5 +23,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         ray_codes[id.x] = codes;
     }
     let alone = codes == ALL_OWN && stored_ray_emission(id.x).high <= 0.0;
-    meetings[place_of(tile, pixel)] = select(0u, 1u, meet) | select(2u, 0u, alone);
+    meetings[id.x] = select(0u, 1u, meet) | select(2u, 0u, alone);
 }

@@ -4,7 +4,7 @@
 // Of each pixel, such a ray, plus one; 0 if there is none.
 @group(0) @binding(108) var<storage, read> point_rays: array<u32>;
 
-@group(0) @binding(101) var<storage, read_write> pixel_surfaces: array<vec4u>;
+@group(0) @binding(109) var packed_pixel_surfaces: texture_storage_2d<rgba32uint, write>;
 
 fn point_ray(point: u32, pixel: vec2u) -> PointRay {
     let own = own_ray(pixel);
@@ -22,5 +22,6 @@ fn point_ray(point: u32, pixel: vec2u) -> PointRay {
 
 // Keeps the surface of a point that takes the place of another.
 fn store_replaced(ray: PointRay, pixel: vec2u, point: Point) {
-    if ray.replaces { pixel_surfaces[place_of(tile_pixels(), pixel)] = pack_surface(point); }
+    let at = table_place(place_of(tile_pixels(), pixel));
+    if ray.replaces { textureStore(packed_pixel_surfaces, at, pack_surface(point)); }
 }

@@ -2,7 +2,7 @@
 // so that what is thinner than a pixel has light of its own. A pixel gives up its point only if a pixel
 // around shows that surface and keeps its own.
 
-@group(0) @binding(101) var<storage, read> pixel_surfaces: array<vec4u>;
+@group(0) @binding(101) var pixel_surfaces: texture_2d<u32>;
 @group(0) @binding(104) var<storage, read> unseen: array<u32>;
 @group(0) @binding(108) var<storage, read_write> point_rays: array<u32>;
 
@@ -10,7 +10,8 @@
 fn may_change(tile: TilePixels, pixel: vec2u, found: u32) -> bool {
     // Of two that want to, one of the fields of a chessboard goes first.
     let first = ((pixel.x + pixel.y) & 1u) == 0u;
-    var kept = pixel_surfaces[place_of(tile, pixel)].w == 0u;
+    // What sees nothing has no point to give up.
+    var kept = textureLoad(pixel_surfaces, table_place(place_of(tile, pixel)), 0).w == 0u;
     for (var i = 0u; i < pixels_around(); i++) {
         let stays = (unseen[place_of(tile, around(tile, pixel, i))] & 15u) == 0u || (first && (i & 1u) == 1u);
         kept = kept || (((found >> (4u + i)) & 1u) != 0u && stays);

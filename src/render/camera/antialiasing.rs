@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::buffers::TileBuffers;
 use super::setup::FrameSetup;
-use crate::gpu::{CameraParams, GpuError};
+use crate::gpu::{CameraParams, GpuError, TableFormat};
 use crate::render::kernels::{
     antialias, first_rays, link_rays, rays_at_once, rays_of_beam, replace_points, resolve_rays,
     unseen_surfaces,
@@ -48,7 +48,7 @@ impl<'a> Antialiasing<'a> {
             ("ray_codes", gpu.storage::<u32>("links of rays", points)?),
             ("unseen", gpu.storage::<u32>("unseen surfaces", points)?),
             ("meetings", gpu.storage::<u32>("meetings of surfaces", points)?),
-            ("ranges", gpu.storage::<[u32; 2]>("ranges of radiance", points)?),
+            ("ray_sums", gpu.storage::<[f32; 4]>("radiance of rays", points)?),
         ];
         if emits || target.features.sky.shines() {
             buffers.push(("ray_emission", gpu.storage::<[u32; 4]>("emission to rays", points)?));
@@ -59,7 +59,10 @@ impl<'a> Antialiasing<'a> {
         }
         let mut named = tile.named(prepared);
         named.extend(buffers.iter().map(|(name, buffer)| (*name, buffer)));
-        let bind = |program| Stage::new(prepared, &program, &named);
+        let ranges = gpu.table("ranges of radiance", points, TableFormat::Quadruples)?;
+        let mut textures = tile.textures();
+        textures.extend([("ranges", &ranges), ("packed_ranges", &ranges)]);
+        let bind = |program| Stage::with_textures(prepared, &program, &named, &textures);
         let at_once = rays_of_beam(target) * rays_at_once(prepared.bvh.nodes.len());
         Ok(Self {
             prepared,

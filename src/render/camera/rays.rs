@@ -43,7 +43,7 @@ impl<'a> CameraRays<'a> {
         let FrameSetup { prepared, camera, settings, seed, .. } = *setup;
         let target = prepared.target_of(settings);
         let named = tile.named(prepared);
-        let bind = |program| Stage::new(prepared, &program, &named);
+        let bind = |program| Stage::with_textures(prepared, &program, &named, &tile.textures());
         let film = match settings.antialiases() {
             true => ToFilm::Antialiased(Box::new(Antialiasing::new(setup, tile)?)),
             false if target.features.specular() => ToFilm::Resolved(bind(resolve(target))?),

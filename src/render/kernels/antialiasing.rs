@@ -7,8 +7,8 @@ use super::catalogue::{
     ONE_SURFACE, PIXEL_LIST, PIXEL_RAYS, PIXELS, PIXELS_AROUND, RADIANCE_CODE, RAY, RAY_BACKGROUND,
     RAY_BACKGROUND_NONE, RAY_CODES, RAY_EMISSION, RAY_EMISSION_NONE, RAY_EMISSION_SCALE,
     RAY_EMISSION_SCALE_NONE, RAY_LIGHT, RAY_LIGHT_NONE, RAY_SURFACES, RAY_THROUGHPUT,
-    RAY_THROUGHPUT_NONE, REPLACE_POINTS, RESOLVE_RAYS, SAMPLING, SEEN_SURFACE, STORED_RAYS, TYPES,
-    UNSEEN_SURFACES,
+    RAY_THROUGHPUT_NONE, REPLACE_POINTS, RESOLVE_RAYS, SAMPLING, SEEN_SURFACE, STORED_RAYS, TABLE,
+    TYPES, UNSEEN_SURFACES,
 };
 use super::lights::sky;
 use super::materials::filtered_textures;
@@ -17,8 +17,8 @@ use crate::gpu::{Module, Program};
 use crate::render::features::Target;
 
 /// The rays of a pixel, and the surfaces that pixels and rays see.
-const OF_PIXELS: [&Module; 5] =
-    [&PIXEL_RAYS, &PIXELS_AROUND, &ONE_SURFACE, &SEEN_SURFACE, &RAY_CODES];
+const OF_PIXELS: [&Module; 6] =
+    [&TABLE, &PIXEL_RAYS, &PIXELS_AROUND, &ONE_SURFACE, &SEEN_SURFACE, &RAY_CODES];
 
 /// Rays that one traversal of the hierarchy serves.
 pub fn rays_of_beam(target: Target) -> u32 {
@@ -29,7 +29,7 @@ pub fn rays_of_beam(target: Target) -> u32 {
 pub fn first_rays(target: Target, emits: bool) -> Program {
     let mut modules = camera_rays(target, &OF_PIXELS);
     modules.extend(beams(target, emits));
-    modules.extend([ray_throughput(target), &FIRST_RAYS]);
+    modules.extend([ray_light(target, emits), ray_throughput(target), &FIRST_RAYS]);
     Program::new("first camera rays", modules)
 }
 
@@ -65,8 +65,8 @@ pub fn resolve_rays(target: Target, emits: bool) -> Program {
 pub fn antialias(target: Target, emits: bool) -> Program {
     let mut modules = camera_rays(target, &OF_PIXELS);
     modules.extend(beams(target, emits));
-    modules.extend([throughput(target), ray_throughput(target), &RAY_SURFACES]);
-    modules.extend([&RADIANCE_CODE, &FIRST_RADIANCE, &PIXEL_LIST, &ANTIALIAS]);
+    modules.extend([throughput(target), &RAY_SURFACES]);
+    modules.extend([&RADIANCE_CODE, &PIXEL_LIST, &ANTIALIAS]);
     Program::new("antialiasing", modules)
 }
 
@@ -85,7 +85,6 @@ fn has_packets(target: Target) -> bool {
 fn beams(target: Target, emits: bool) -> Vec<&'static Module> {
     let mut modules: Vec<&Module> = vec![&BEAM];
     modules.push(if has_packets(target) { &BEAM_PACKET } else { &BEAM_EACH });
-    modules.push(ray_light(target, emits));
     match emits {
         true if target.features.emission_textures => {
             modules.extend(textures(target.features));

@@ -6,7 +6,7 @@ use super::catalogue::{
     REFLECTANCE_ANY, REFLECTANCE_PLAIN, RESOLVE, SAMPLE_SPECULAR_EITHER, SAMPLE_SPECULAR_GLASS,
     SAMPLE_SPECULAR_MIRROR, SAMPLING, SEEN_SURFACE, SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH,
     SHOW_NORMAL, SPECULAR_CHAIN, SPECULAR_CHAIN_NONE, SPECULAR_SAMPLE, STORE_THROUGHPUT,
-    STORE_THROUGHPUT_NONE, THROUGHPUT_NONE, THROUGHPUT_STORED, TYPES, VIEW_DIRECTION,
+    STORE_THROUGHPUT_NONE, TABLE, THROUGHPUT_NONE, THROUGHPUT_STORED, TYPES, VIEW_DIRECTION,
     VIEW_DIRECTION_NONE, VISIBLE_POINTS,
 };
 use super::lights::sky;
@@ -23,7 +23,8 @@ pub fn visible_points(target: Target, lit: bool, antialiased: bool) -> Program {
     modules.push(&POINT_RAY);
     match antialiased {
         true => {
-            let surfaces: [&Module; 4] = [&PIXEL_RAYS, &PIXELS_AROUND, &ONE_SURFACE, &SEEN_SURFACE];
+            let surfaces: [&Module; 5] =
+                [&TABLE, &PIXEL_RAYS, &PIXELS_AROUND, &ONE_SURFACE, &SEEN_SURFACE];
             modules.extend(surfaces);
             modules.push(&POINT_RAY_ANY);
         }
