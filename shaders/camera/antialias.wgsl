@@ -5,8 +5,9 @@
 // them, is biased (Kirk and Arvo, "Unbiased Sampling Techniques for Image Synthesis", 1991).
 
 @group(0) @binding(8) var<storage, read_write> film: array<vec4f>;
-@group(0) @binding(105) var<storage, read> meetings: array<u32>;
-@group(0) @binding(107) var<storage, read> ranges: array<vec2u>;
+@group(0) @binding(20) var<storage, read> radiance: array<vec4f>;
+@group(0) @binding(107) var ranges: texture_2d<u32>;
+@group(0) @binding(110) var<storage, read> ray_sums: array<vec4f>;
 
 // Most beams of a pixel in one dispatch.
 const MOST_BEAMS = 8u;
@@ -15,37 +16,24 @@ const CONTRAST = 0.25;
 
 var<workgroup> beam_sums: array<vec3f, 512>;
 
-// Whether surfaces meet here, as the pixels around tell.
-fn surfaces_meet(tile: TilePixels, pixel: vec2u) -> bool {
-    var meet = (meetings[place_of(tile, pixel)] & 1u) != 0u;
-    for (var i = 0u; i < 9u; i++) {
-        meet = meet || (i != OWN && (meetings[place_of(tile, around(tile, pixel, i))] & 2u) != 0u);
-    }
-    return meet;
-}
-
-fn radiances_differ(tile: TilePixels, pixel: vec2u) -> bool {
+// Whether surfaces of unlike radiance meet here, as the pixels around tell.
+fn is_edge(tile: TilePixels, pixel: vec2u, own: u32) -> bool {
     var low = vec3f(HUGE);
     var high = vec3f(0.0);
-    for (var i = 0u; i < 9u; i++) {
+    var meet = false;
+    for (var i = 0u; i < pixels_around(); i++) {
         let other = around(tile, pixel, i);
-        let range = ranges[place_of(tile, other)];
+        let range = textureLoad(ranges, table_place(place_of(tile, other)), 0);
         let is = any(other != pixel);
         low = select(low, min(low, unpack_radiance(range.x)), is);
         high = select(high, max(high, unpack_radiance(range.y)), is);
+        meet = meet || (range.z & select(2u, 1u, i == OWN)) != 0u;
     }
     let apart = high - low;
     let mean = 0.5 * (high + low);
     let most = max(apart.x, max(apart.y, apart.z));
-    return most > CONTRAST * max(mean.x, max(mean.y, mean.z));
-}
-
-fn is_edge(tile: TilePixels, pixel: vec2u, own: u32) -> bool {
-    var edge = stored_throughput(own).w > 0.0;
-    // A loop, as a branch that no invocation takes is not skipped everywhere.
-    let rounds = select(0u, 1u, surfaces_meet(tile, pixel));
-    for (var round = 0u; round < rounds; round++) { edge = edge || radiances_differ(tile, pixel); }
-    return edge;
+    let differ = most > CONTRAST * max(mean.x, max(mean.y, mean.z));
+    return stored_throughput(own).w > 0.0 || (meet && differ);
 }
 
 // The sum of what the rays of a beam see, those of them that are wanted.
@@ -57,10 +45,12 @@ fn beam_sum(tile: TilePixels, own: u32, first: u32, end: u32, invocation: u32) -
     var surfaces: array<vec4u, 4>;
     var throughputs: array<vec3f, 4>;
     var sum = vec3f(0.0);
-    for (var i = 0u; i < BEAM_RAYS; i++) {
+    // No constant: see `pixels_around`.
+    let rays = select(min(end - first, BEAM_RAYS), 0u, first >= end);
+    for (var i = 0u; i < rays; i++) {
         let direction = beam_direction(beam, i);
         let chain = specular_chain_from(
-            beam_hit(hits, i), direction, beam.limits[i], params.nodes, params.offset,
+            with_weights(beam_hit(hits, i), params.position, direction), direction, beam.limits[i], params.nodes, params.offset,
             ray_number(first + i), stream, invocation,
         );
         let point = hit_point(chain.hit, chain.direction);
@@ -77,7 +67,7 @@ fn beam_sum(tile: TilePixels, own: u32, first: u32, end: u32, invocation: u32) -
         unpack_surface(surfaces[2]),
         unpack_surface(surfaces[3]),
     ));
-    for (var i = 0u; i < BEAM_RAYS; i++) {
+    for (var i = 0u; i < rays; i++) {
         if codes[i] != NO_LIGHT {
             sum += radiance[point_at(tile, around(tile, pixel, codes[i]))].rgb * throughputs[i];
         }
@@ -124,7 +114,7 @@ fn main(
         // The film has the mean of the first rays, which now are some among more.
         if params.first_ray == first {
             let excess = f32(params.edge_rays - first) / f32(first);
-            sum -= first_radiance(tile, pixel, own).sum * excess;
+            sum -= ray_sums[own].rgb * excess;
         }
         film[own] += vec4f(sum / f32(params.edge_rays), 0.0);
     }

@@ -14,3 +14,8 @@ fn traverse_beam(origin: vec3f, beam: Beam, node_count: u32, invocation: u32) ->
     }
     return hits;
 }
+
+// A ray by itself has found its weights.
+fn with_weights(hit: Hit, origin: vec3f, direction: vec3f) -> Hit {
+    return hit;
+}

@@ -74,12 +74,7 @@ fn traverse_beam(origin: vec3f, beam: Beam, node_count: u32, invocation: u32) ->
         }
         link = next_link(&stack, 0u, 0u, lane);
     }
-    return BeamHits(
-        with_weights(h0, origin, beam.d0),
-        with_weights(h1, origin, beam.d1),
-        with_weights(h2, origin, beam.d2),
-        with_weights(h3, origin, beam.d3),
-    );
+    return BeamHits(h0, h1, h2, h3);
 }
 
 // Whether a beam may meet a child, which these words hold, at 0 <= t <= reach.
@@ -111,7 +106,7 @@ fn nearer_hit(hit: Hit, t: f32, triangle: u32, is: bool) -> Hit {
     return Hit(select(hit.t, t, is), select(hit.triangle, triangle, is), vec3f(0.0));
 }
 
-// Weights are computed once, of what has been hit.
+// Weights are computed once, of what a ray of a beam has hit.
 fn with_weights(hit: Hit, origin: vec3f, direction: vec3f) -> Hit {
     if hit.triangle == NOTHING { return hit; }
     let shape = load_triangle(hit.triangle);

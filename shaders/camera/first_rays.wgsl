@@ -2,7 +2,7 @@
 // without any visible point's help.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(101) var<storage, read_write> pixel_surfaces: array<vec4u>;
+@group(0) @binding(109) var packed_pixel_surfaces: texture_storage_2d<rgba32uint, write>;
 @group(0) @binding(102) var<storage, read_write> ray_surfaces: array<vec4u>;
 @group(0) @binding(103) var<storage, read_write> ray_codes: array<u32>;
 
@@ -27,7 +27,7 @@ fn main(
     for (var i = 0u; i < rays; i++) {
         let direction = beam_direction(beam, i);
         let chain = specular_chain_from(
-            beam_hit(hits, i), direction, beam.limits[i], params.nodes, params.offset,
+            with_weights(beam_hit(hits, i), params.position, direction), direction, beam.limits[i], params.nodes, params.offset,
             ray_number(i), stream, invocation,
         );
         let point = hit_point(chain.hit, chain.direction);
@@ -40,7 +40,7 @@ fn main(
         if is { store_ray_throughput(own, i, throughput_of(chain)); }
     }
     if is {
-        pixel_surfaces[place_of(tile, pixel)] = packed;
+        textureStore(packed_pixel_surfaces, table_place(place_of(tile, pixel)), packed);
         ray_codes[own] = select(NOT_LINKED, ALL_OWN, alone);
         store_ray_emission(own, emitted);
     }

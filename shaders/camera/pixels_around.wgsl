@@ -19,6 +19,12 @@ fn tile_pixels() -> TilePixels {
     return TilePixels(8u * across, row, vec2i(0, i32(row)), vec2i(i32(params.width), i32(end)));
 }
 
+// How many pixels are around one, with itself. No constant, as drivers unroll loops whose length they
+// know, and compile for longer than such a loop saves.
+fn pixels_around() -> u32 {
+    return select(9u, 0u, params.blocks == 0u);
+}
+
 // The place of a pixel in the order of the tile's pixels.
 fn place_of(tile: TilePixels, pixel: vec2u) -> u32 {
     return (pixel.y - tile.row) * tile.width + pixel.x;

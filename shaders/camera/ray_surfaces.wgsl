@@ -1,7 +1,7 @@
 // What the first rays of a pixel meet, as first_rays.wgsl left it, or those of a beam; and which of
 // the visible points around are on the same surfaces.
 
-@group(0) @binding(101) var<storage, read> pixel_surfaces: array<vec4u>;
+@group(0) @binding(101) var pixel_surfaces: texture_2d<u32>;
 
 struct RaySurfaces {
     s0: SeenSurface,
@@ -12,7 +12,8 @@ struct RaySurfaces {
 
 // The surface of the visible point of the i-th of the pixels around one.
 fn surface_around(tile: TilePixels, pixel: vec2u, i: u32) -> SeenSurface {
-    return unpack_surface(pixel_surfaces[place_of(tile, around(tile, pixel, i))]);
+    let at = table_place(place_of(tile, around(tile, pixel, i)));
+    return unpack_surface(textureLoad(pixel_surfaces, at, 0));
 }
 
 // More than any squared distance in normalised units, and little more: what is added is not lost.
@@ -32,7 +33,7 @@ fn unlikeness(seen: SeenSurface, other: SeenSurface) -> f32 {
 fn linked(tile: TilePixels, pixel: vec2u, rays: RaySurfaces) -> vec4u {
     var best = vec4u(NO_LIGHT);
     var least = vec4f(HUGE);
-    for (var i = 0u; i < 9u; i++) {
+    for (var i = 0u; i < pixels_around(); i++) {
         let other = surface_around(tile, pixel, i);
         let apart = vec4f(
             unlikeness(rays.s0, other),

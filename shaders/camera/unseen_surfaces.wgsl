@@ -20,7 +20,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         let rays = stored_rays(id.x);
         let codes = vec4u(rays.s0.code, rays.s1.code, rays.s2.code, rays.s3.code);
         var shown = codes == vec4u(0u);
-        for (var i = 0u; i < 9u; i++) {
+        for (var i = 0u; i < pixels_around(); i++) {
             let other = surface_around(tile, pixel, i);
             shown |= vec4<bool>(
                 alike(rays.s0, other), alike(rays.s1, other),

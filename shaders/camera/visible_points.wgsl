@@ -1,4 +1,5 @@
-// Camera rays: a visible point for a sample of every pixel of the tile.
+// Camera rays: a visible point for a sample of every pixel of the tile; or other points in the place of
+// some.
 
 @group(0) @binding(4) var<storage, read_write> points: array<Point>;
 // In w, how many samples of the pixel hit something.
@@ -10,24 +11,30 @@ fn main(
     @builtin(global_invocation_id) id: vec3u,
     @builtin(local_invocation_index) invocation: u32,
 ) {
-    let pixel = pixel_of(id.x, params.first_block, params.width);
-    let is = id.x < params.blocks * 64u && pixel.x < params.width && pixel.y < params.height;
-    var inside = vec2f(0.5);
-    if params.samples > 1u { inside = scrambled(params.sample, camera_stream(pixel)); }
-    let direction = camera_direction(pixel, inside);
-    let limit = select(0.0, HUGE, is);
-    let stream = camera_stream(pixel);
-    let chain = trace_specular_chain(
-        params.position, direction, limit, params.nodes, params.offset, params.sample, stream,
-        invocation,
-    );
-    if chain.hit.triangle != NOTHING { film[id.x].w += 1.0; }
-    if id.x < params.blocks * 64u {
-        let point = hit_point(chain.hit, chain.direction);
-        points[id.x] = with_view_direction(point, ray_offset(point, chain.direction, params.offset));
-        let width = pixel_spread(direction) * length_of(chain);
-        store_albedo(id.x, chain.hit, point, chain.direction, width);
-        store_emission_scale(id.x, chain.hit, point, chain.direction, width);
-        store_throughput(id.x, chain);
+    let own = min(id.x, params.blocks * 64u - 1u);
+    let pixel = pixel_of(own, params.first_block, params.width);
+    let ray = point_ray(own, pixel);
+    let stored = id.x == own && ray.is;
+    let is = stored && pixel.x < params.width && pixel.y < params.height;
+    // A loop, as a branch that no invocation takes is not skipped everywhere.
+    let rounds = select(0u, 1u, some_ray(stored));
+    for (var round = 0u; round < rounds; round++) {
+        let inside = select(scrambled(ray.number, ray.stream), vec2f(0.5), ray.in_middle);
+        let direction = camera_direction(pixel, inside);
+        let chain = trace_specular_chain(
+            params.position, direction, select(0.0, HUGE, is), params.nodes, params.offset,
+            ray.number, ray.stream, invocation,
+        );
+        if chain.hit.triangle != NOTHING && !ray.replaces { film[own].w += 1.0; }
+        if stored {
+            let point = hit_point(chain.hit, chain.direction);
+            let way = ray_offset(point, chain.direction, params.offset);
+            store_replaced(ray, pixel, point);
+            points[own] = with_view_direction(point, way);
+            let width = pixel_spread(direction) * length_of(chain);
+            store_albedo(own, chain.hit, point, chain.direction, width);
+            store_emission_scale(own, chain.hit, point, chain.direction, width);
+            store_throughput(own, chain);
+        }
     }
 }

@@ -129,6 +129,13 @@ impl Target {
         Self::of(subgroups, Features::default())
     }
 
+    /// The same for camera rays. Where there are subgroups, those of neighbouring pixels go through the
+    /// hierarchy together however small the scene is: in the Cornell box in two thirds of the time that
+    /// its triangles one by one take, and compiled in half of it.
+    pub fn of_camera_rays(self) -> Self {
+        Self { literals: self.literals && !self.subgroups, ..self }
+    }
+
     /// How many values of four channels a point gathers: irradiance, and another for a lobe.
     pub fn lobes(&self) -> usize {
         if self.features.phong { 2 } else { 1 }
@@ -151,12 +158,10 @@ impl Target {
             Features { sky: Sky::Image, ..none },
             Features::everything(),
         ];
-        let small = |features: Features| {
-            let literals = !features.spheres && !features.cutouts;
-            literals.then(|| Self { literals, literal_packets: true, ..Self::of(true, features) })
-        };
         let both = [false, true].into_iter();
         let large = both.flat_map(|subgroups| features.map(|all| Self::of(subgroups, all)));
-        large.chain(features.into_iter().filter_map(small)).collect()
+        let small = large.clone().filter(|of| !of.features.spheres && !of.features.cutouts);
+        let small = small.map(|of| Self { literals: true, literal_packets: true, ..of });
+        large.chain(small).collect()
     }
 }

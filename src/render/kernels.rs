@@ -37,7 +37,8 @@ pub use visibility::{Emitter, expand, pack_columns, rays_at_once, visibility};
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
-    let mut programs = vec![expand(), pack_columns(), split_subsets(), guide(), unseen_surfaces()];
+    let mut programs = vec![expand(), pack_columns(), split_subsets(), guide()];
+    programs.extend([unseen_surfaces(), replace_points()]);
     for target in Target::all() {
         for emitter in [Emitter::Surface, Emitter::Point] {
             // Literals are of triangles alone.
@@ -45,13 +46,14 @@ pub fn all_programs() -> Vec<Program> {
             let tracing = Tracing::ALL.into_iter().filter(linked);
             programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
         }
-        programs.extend([false, true].map(|lit| visible_points(target, lit)));
+        for [lit, antialiased] in [[false, false], [true, false], [true, true]] {
+            programs.push(visible_points(target, lit, antialiased));
+        }
         for emits in [false, true] {
             programs.extend([first_rays(target, emits), antialias(target, emits)]);
             programs.extend([link_rays(target, emits), resolve_rays(target, emits)]);
         }
-        programs.extend([replace_points(target), resolve(target)]);
-        programs.extend([emit(target), reflect(target)]);
+        programs.extend([resolve(target), emit(target), reflect(target)]);
         programs.extend([false, true].map(|last| discontinuity_buffer(target, last)));
         programs.extend([false, true].map(|given| clamped_energy(target, given)));
         for probed in [false, true] {

@@ -167,20 +167,26 @@ fn literals_leave_the_hierarchy_out() {
     assert!(some > 0, "nothing is generated");
 }
 
-/// Whether the hierarchy is linked depends on the size of the scene.
+/// Whether the hierarchy is linked depends on the size of the scene, and, for camera rays, on whether
+/// the device has subgroups.
 #[test]
 fn a_small_scene_leaves_the_hierarchy_out() {
-    let left_out = |copies: usize| {
+    let left_out = |copies: usize, subgroups: bool| {
         let mut scene = Scene::load("builtin:cornell").expect("it is built in");
         scene.triangles = scene.triangles.repeat(copies);
         let gpu = Gpu::open(&AdapterChoice::Auto).expect("a device");
+        let gpu = if subgroups { gpu } else { gpu.without_subgroups() };
+        let together = gpu.has_subgroups();
         let prepared = Prepared::new(gpu, scene, &Settings::default()).expect("it fits");
-        prepared.left_out()
+        (prepared.left_out(), together)
     };
     let (hierarchy, literals) = ("bounding volume hierarchy", "triangles as literals");
-    let (small, large) = (left_out(1), left_out(2));
-    assert!(small.contains(&hierarchy) && !small.contains(&literals), "{small:?}");
-    assert!(large.contains(&literals) && !large.contains(&hierarchy), "{large:?}");
+    for subgroups in [false, true] {
+        let ((small, together), (large, _)) = (left_out(1, subgroups), left_out(2, subgroups));
+        assert_eq!(small.contains(&hierarchy), !together, "{small:?}");
+        assert!(!small.contains(&literals), "{small:?}");
+        assert!(large.contains(&literals) && !large.contains(&hierarchy), "{large:?}");
+    }
 }
 
 #[test]
@@ -207,7 +213,7 @@ fn plain_programs_hold_neither_spheres_nor_textures() {
     };
     let [none, all] = [Features::default(), Features::everything()].map(|features| {
         let target = Target::of(true, features);
-        words(&kernels::visible_points(target, true))
+        words(&kernels::visible_points(target, true, false))
     });
     assert_eq!((none, all), ([false; 5], [true; 5]));
 }

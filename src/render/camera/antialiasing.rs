@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::buffers::TileBuffers;
 use super::setup::FrameSetup;
-use crate::gpu::{CameraParams, GpuError};
+use crate::gpu::{CameraParams, GpuError, TableFormat};
 use crate::render::kernels::{
     antialias, first_rays, link_rays, rays_at_once, rays_of_beam, replace_points, resolve_rays,
     unseen_surfaces,
@@ -44,12 +44,11 @@ impl<'a> Antialiasing<'a> {
         let (gpu, points) = (&prepared.gpu, setup.most_points());
         let rays = points * MOST_FIRST as usize;
         let mut buffers = vec![
-            ("pixel_surfaces", gpu.storage::<[u32; 4]>("surfaces of pixels", points)?),
             ("ray_surfaces", gpu.storage::<[u32; 4]>("surfaces of rays", rays)?),
             ("ray_codes", gpu.storage::<u32>("links of rays", points)?),
             ("unseen", gpu.storage::<u32>("unseen surfaces", points)?),
             ("meetings", gpu.storage::<u32>("meetings of surfaces", points)?),
-            ("ranges", gpu.storage::<[u32; 2]>("ranges of radiance", points)?),
+            ("ray_sums", gpu.storage::<[f32; 4]>("radiance of rays", points)?),
         ];
         if emits || target.features.sky.shines() {
             buffers.push(("ray_emission", gpu.storage::<[u32; 4]>("emission to rays", points)?));
@@ -60,13 +59,16 @@ impl<'a> Antialiasing<'a> {
         }
         let mut named = tile.named(prepared);
         named.extend(buffers.iter().map(|(name, buffer)| (*name, buffer)));
-        let bind = |program| Stage::new(prepared, &program, &named);
+        let ranges = gpu.table("ranges of radiance", points, TableFormat::Quadruples)?;
+        let mut textures = tile.textures();
+        textures.extend([("ranges", &ranges), ("packed_ranges", &ranges)]);
+        let bind = |program| Stage::with_textures(prepared, &program, &named, &textures);
         let at_once = rays_of_beam(target) * rays_at_once(prepared.bvh.nodes.len());
         Ok(Self {
             prepared,
             first: bind(first_rays(target, emits))?,
             unseen: bind(unseen_surfaces())?,
-            replace: bind(replace_points(target))?,
+            replace: bind(replace_points())?,
             link: bind(link_rays(target, emits))?,
             resolve: bind(resolve_rays(target, emits))?,
             more: bind(antialias(target, emits))?,
@@ -74,17 +76,25 @@ impl<'a> Antialiasing<'a> {
         })
     }
 
-    /// Traces the first rays of a tile, and replaces visible points by others that no pixel around
-    /// shows.
+    /// Traces the first rays of a tile, and chooses those whose surfaces no pixel around shows: in
+    /// `point_rays`, to replace visible points.
     ///
     /// # Errors
     /// The device fails.
-    pub fn replace_points(&self, params: &CameraParams) -> Result<Duration, GpuError> {
+    pub fn choose_points(&self, params: &CameraParams) -> Result<Duration, GpuError> {
         let mut time = Duration::ZERO;
-        for stage in [&self.first, &self.unseen, &self.replace, &self.link] {
+        for stage in [&self.first, &self.unseen, &self.replace] {
             time += self.run(stage, params)?;
         }
         Ok(time)
+    }
+
+    /// Links the first rays of a tile to its visible points, once those are what they stay.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn link(&self, params: &CameraParams) -> Result<Duration, GpuError> {
+        self.run(&self.link, params)
     }
 
     /// Traces the first rays of a tile whose visible points are known.
@@ -92,7 +102,7 @@ impl<'a> Antialiasing<'a> {
     /// # Errors
     /// The device fails.
     pub fn trace(&self, params: &CameraParams) -> Result<Duration, GpuError> {
-        Ok(self.run(&self.first, params)? + self.run(&self.link, params)?)
+        Ok(self.run(&self.first, params)? + self.link(params)?)
     }
 
     /// Brings what the first rays see to the film, and what more rays see where that differs.

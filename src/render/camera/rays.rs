@@ -43,7 +43,7 @@ impl<'a> CameraRays<'a> {
         let FrameSetup { prepared, camera, settings, seed, .. } = *setup;
         let target = prepared.target_of(settings);
         let named = tile.named(prepared);
-        let bind = |program| Stage::new(prepared, &program, &named);
+        let bind = |program| Stage::with_textures(prepared, &program, &named, &tile.textures());
         let film = match settings.antialiases() {
             true => ToFilm::Antialiased(Box::new(Antialiasing::new(setup, tile)?)),
             false if target.features.specular() => ToFilm::Resolved(bind(resolve(target))?),
@@ -53,7 +53,10 @@ impl<'a> CameraRays<'a> {
             edge_rays: settings.edge_samples.div_ceil(settings.samples),
             ..camera_params(prepared, camera, settings.samples, seed)
         };
-        let visible = bind(visible_points(target, settings.method.is_lit()))?;
+        let visible = {
+            let (lit, antialiased) = (settings.method.is_lit(), settings.antialiases());
+            bind(visible_points(target, lit, antialiased))?
+        };
         Ok(Self { prepared, params, visible, film })
     }
 
@@ -63,11 +66,14 @@ impl<'a> CameraRays<'a> {
     /// The device fails.
     pub fn find_points(&self, tile: Tile) -> Result<Duration, GpuError> {
         let params = self.params_of(tile);
-        let time = self.visible.run(self.prepared, &params, [tile.blocks, 1])?;
-        match &self.film {
-            ToFilm::Antialiased(antialiasing) => Ok(time + antialiasing.replace_points(&params)?),
-            ToFilm::Direct | ToFilm::Resolved(_) => Ok(time),
+        let mut time = self.visible.run(self.prepared, &params, [tile.blocks, 1])?;
+        if let ToFilm::Antialiased(antialiasing) = &self.film {
+            time += antialiasing.choose_points(&params)?;
+            let chosen = CameraParams { rays: 1, ..params };
+            time += self.visible.run(self.prepared, &chosen, [tile.blocks, 1])?;
+            time += antialiasing.link(&params)?;
         }
+        Ok(time)
     }
 
     /// Traces again what rays beside those that find the visible points have met, when other tiles or

@@ -1,14 +1,14 @@
 //! The programs that antialias: the first rays of all pixels, their visible points, and more rays where
 //! surfaces of unlike radiance meet.
 
-use super::camera::{camera_rays, point_attributes, store_throughput, throughput};
+use super::camera::{camera_rays, throughput};
 use super::catalogue::{
     ANTIALIAS, BEAM, BEAM_EACH, BEAM_PACKET, CAMERA, FIRST_RADIANCE, FIRST_RAYS, LINK_RAYS,
     ONE_SURFACE, PIXEL_LIST, PIXEL_RAYS, PIXELS, PIXELS_AROUND, RADIANCE_CODE, RAY, RAY_BACKGROUND,
     RAY_BACKGROUND_NONE, RAY_CODES, RAY_EMISSION, RAY_EMISSION_NONE, RAY_EMISSION_SCALE,
-    RAY_EMISSION_SCALE_NONE, RAY_LIGHT, RAY_LIGHT_NONE, RAY_OFFSET, RAY_SURFACES, RAY_THROUGHPUT,
-    RAY_THROUGHPUT_NONE, REPLACE_POINTS, RESOLVE_RAYS, SAMPLING, SEEN_SURFACE, STORED_RAYS, TYPES,
-    UNSEEN_SURFACES, VIEW_DIRECTION,
+    RAY_EMISSION_SCALE_NONE, RAY_LIGHT, RAY_LIGHT_NONE, RAY_SURFACES, RAY_THROUGHPUT,
+    RAY_THROUGHPUT_NONE, REPLACE_POINTS, RESOLVE_RAYS, SAMPLING, SEEN_SURFACE, STORED_RAYS, TABLE,
+    TYPES, UNSEEN_SURFACES,
 };
 use super::lights::sky;
 use super::materials::filtered_textures;
@@ -17,8 +17,8 @@ use crate::gpu::{Module, Program};
 use crate::render::features::Target;
 
 /// The rays of a pixel, and the surfaces that pixels and rays see.
-const OF_PIXELS: [&Module; 5] =
-    [&PIXEL_RAYS, &PIXELS_AROUND, &ONE_SURFACE, &SEEN_SURFACE, &RAY_CODES];
+const OF_PIXELS: [&Module; 6] =
+    [&TABLE, &PIXEL_RAYS, &PIXELS_AROUND, &ONE_SURFACE, &SEEN_SURFACE, &RAY_CODES];
 
 /// Rays that one traversal of the hierarchy serves.
 pub fn rays_of_beam(target: Target) -> u32 {
@@ -29,7 +29,7 @@ pub fn rays_of_beam(target: Target) -> u32 {
 pub fn first_rays(target: Target, emits: bool) -> Program {
     let mut modules = camera_rays(target, &OF_PIXELS);
     modules.extend(beams(target, emits));
-    modules.extend([ray_throughput(target), &FIRST_RAYS]);
+    modules.extend([ray_light(target, emits), ray_throughput(target), &FIRST_RAYS]);
     Program::new("first camera rays", modules)
 }
 
@@ -38,11 +38,10 @@ pub fn unseen_surfaces() -> Program {
     Program::new("unseen surfaces", around(&[&STORED_RAYS, &UNSEEN_SURFACES]))
 }
 
-/// Visible points on such surfaces in place of others.
-pub fn replace_points(target: Target) -> Program {
-    let mut modules = camera_rays(target, &point_attributes(target.features));
-    modules.extend(OF_PIXELS);
-    modules.extend([&RAY_OFFSET, &VIEW_DIRECTION, store_throughput(target), &REPLACE_POINTS]);
+/// Which pixels have visible points on such surfaces in place of others.
+pub fn replace_points() -> Program {
+    let first: [&Module; 5] = [&TYPES, &SAMPLING, &PIXELS, &RAY, &CAMERA];
+    let modules = [&first[..], &OF_PIXELS, &[&REPLACE_POINTS]].concat();
     Program::new("replaced visible points", modules)
 }
 
@@ -66,8 +65,8 @@ pub fn resolve_rays(target: Target, emits: bool) -> Program {
 pub fn antialias(target: Target, emits: bool) -> Program {
     let mut modules = camera_rays(target, &OF_PIXELS);
     modules.extend(beams(target, emits));
-    modules.extend([throughput(target), ray_throughput(target), &RAY_SURFACES]);
-    modules.extend([&RADIANCE_CODE, &FIRST_RADIANCE, &PIXEL_LIST, &ANTIALIAS]);
+    modules.extend([throughput(target), &RAY_SURFACES]);
+    modules.extend([&RADIANCE_CODE, &PIXEL_LIST, &ANTIALIAS]);
     Program::new("antialiasing", modules)
 }
 
@@ -79,14 +78,13 @@ fn around(last: &[&'static Module]) -> Vec<&'static Module> {
 
 /// Whether packets of beams go through the hierarchy.
 fn has_packets(target: Target) -> bool {
-    target.subgroups && !target.literals
+    target.subgroups && !target.of_camera_rays().literals
 }
 
 /// Beams of camera rays, and what rays see that no light falls on.
 fn beams(target: Target, emits: bool) -> Vec<&'static Module> {
     let mut modules: Vec<&Module> = vec![&BEAM];
     modules.push(if has_packets(target) { &BEAM_PACKET } else { &BEAM_EACH });
-    modules.push(ray_light(target, emits));
     match emits {
         true if target.features.emission_textures => {
             modules.extend(textures(target.features));

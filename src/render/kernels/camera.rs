@@ -1,11 +1,13 @@
 //! The programs of camera rays, and of what comes back along them.
 
 use super::catalogue::{
-    BACKGROUND, BSDF, CAMERA, EMIT, GLASS, HIT_POINT, HIT_TRIANGLES, MIRROR, PIXELS, RAY_OFFSET,
+    BACKGROUND, BSDF, CAMERA, EMIT, GLASS, HIT_POINT, HIT_TRIANGLES, MIRROR, ONE_SURFACE,
+    PIXEL_RAYS, PIXELS, PIXELS_AROUND, POINT_RAY, POINT_RAY_ANY, POINT_RAY_OWN, RAY_OFFSET,
     REFLECTANCE_ANY, REFLECTANCE_PLAIN, RESOLVE, SAMPLE_SPECULAR_EITHER, SAMPLE_SPECULAR_GLASS,
-    SAMPLE_SPECULAR_MIRROR, SAMPLING, SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL,
-    SPECULAR_CHAIN, SPECULAR_CHAIN_NONE, SPECULAR_SAMPLE, STORE_THROUGHPUT, STORE_THROUGHPUT_NONE,
-    THROUGHPUT_NONE, THROUGHPUT_STORED, TYPES, VIEW_DIRECTION, VIEW_DIRECTION_NONE, VISIBLE_POINTS,
+    SAMPLE_SPECULAR_MIRROR, SAMPLING, SEEN_SURFACE, SHAPE_TRIANGLE, SHOW_ALBEDO, SHOW_DEPTH,
+    SHOW_NORMAL, SPECULAR_CHAIN, SPECULAR_CHAIN_NONE, SPECULAR_SAMPLE, STORE_THROUGHPUT,
+    STORE_THROUGHPUT_NONE, TABLE, THROUGHPUT_NONE, THROUGHPUT_STORED, TYPES, VIEW_DIRECTION,
+    VIEW_DIRECTION_NONE, VISIBLE_POINTS,
 };
 use super::lights::sky;
 use super::materials::{albedo, attributes, emission_scale, store_attributes};
@@ -14,9 +16,20 @@ use crate::gpu::{Module, Program};
 use crate::render::features::{Features, Target};
 use crate::render::settings::Method;
 
-/// Camera rays. Points keep their depth, or, if there is light, where they are seen from.
-pub fn visible_points(target: Target, lit: bool) -> Program {
+/// Camera rays. Points keep their depth, or, if there is light, where they are seen from; where pixels
+/// are antialiased, some give way to others.
+pub fn visible_points(target: Target, lit: bool, antialiased: bool) -> Program {
     let mut modules = camera_rays(target, &point_attributes(target.features));
+    modules.push(&POINT_RAY);
+    match antialiased {
+        true => {
+            let surfaces: [&Module; 5] =
+                [&TABLE, &PIXEL_RAYS, &PIXELS_AROUND, &ONE_SURFACE, &SEEN_SURFACE];
+            modules.extend(surfaces);
+            modules.push(&POINT_RAY_ANY);
+        }
+        false => modules.push(&POINT_RAY_OWN),
+    }
     let view = if lit { &VIEW_DIRECTION } else { &VIEW_DIRECTION_NONE };
     modules.extend([&RAY_OFFSET, view, store_throughput(target), &VISIBLE_POINTS]);
     Program::new("visible points", modules)
@@ -29,6 +42,7 @@ pub fn point_attributes(features: Features) -> Vec<&'static Module> {
 
 /// Camera rays, before what becomes of them.
 pub fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
+    let target = target.of_camera_rays();
     let (first, rays) = ([&TYPES, &SAMPLING, &PIXELS], rays(target));
     [&first[..], &rays, &[&CAMERA], &specular_chain(target), last].concat()
 }

@@ -93,6 +93,9 @@ modules! {
     CAMERA = "camera/camera";
     HIT_POINT = "trace/hit_point";
     ONE_SURFACE = "common/one_surface";
+    POINT_RAY = "camera/point_ray";
+    POINT_RAY_OWN = "camera/point_ray_own";
+    POINT_RAY_ANY = "camera/point_ray_any" for "antialiasing of edges";
     BEAM = "camera/beam" for "antialiasing of edges";
     BEAM_PACKET = "camera/beam_packet" for "bounding volume hierarchy";
     BEAM_EACH = "camera/beam_each" for "antialiasing of edges";

@@ -24,7 +24,8 @@ impl Plan {
     /// Those of every method but [`Method::Path`].
     fn vpl_programs(&self, settings: &Settings) -> Vec<Program> {
         let target = self.target_of(settings);
-        let mut programs = vec![visible_points(target, settings.method.is_lit())];
+        let mut programs =
+            vec![visible_points(target, settings.method.is_lit(), settings.antialiases())];
         programs.extend(show(self.target(), settings.method));
         if !settings.method.is_lit() {
             return programs;
@@ -73,7 +74,7 @@ impl Plan {
         vec![
             first_rays(target, emits),
             unseen_surfaces(),
-            replace_points(target),
+            replace_points(),
             link_rays(target, emits),
             resolve_rays(target, emits),
             antialias(target, emits),
