@@ -129,13 +129,6 @@ impl Target {
         Self::of(subgroups, Features::default())
     }
 
-    /// The same for camera rays. Where there are subgroups, those of neighbouring pixels go through the
-    /// hierarchy together however small the scene is: in the Cornell box in two thirds of the time that
-    /// its triangles one by one take, and compiled in half of it.
-    pub fn of_camera_rays(self) -> Self {
-        Self { literals: self.literals && !self.subgroups, ..self }
-    }
-
     /// How many values of four channels a point gathers: irradiance, and another for a lobe.
     pub fn lobes(&self) -> usize {
         if self.features.phong { 2 } else { 1 }

@@ -7,7 +7,7 @@ use crate::common::compare::{Tolerance, check, compare, load, references, save};
 use crate::common::{Rng, difference, frame, gpu, room};
 use glam::{DVec3, dvec3};
 use gpu_vpl::image::Image;
-use gpu_vpl::render::{Clamp, Method, Plan, Prepared, Settings};
+use gpu_vpl::render::{Clamp, Method, Prepared, Settings};
 use gpu_vpl::scene::Scene;
 
 /// The pixels' rounding differs from device to device, by some 1e-6; a bit of visibility that
@@ -143,22 +143,13 @@ fn threads_change_no_bit() {
     assert_eq!(one, with(1));
 }
 
-/// In a scene that is too large for literals: against those, which plain camera rays have in a small one
-/// and packets have not, hits are rounded otherwise.
 #[test]
 fn plain_kernels_give_the_image_of_those_with_subgroups() {
     for clamp in [Clamp::Auto, Clamp::Off] {
         let settings = Settings { clamp, ..settings(Method::Vpl) };
         let images = [gpu().clone(), gpu().clone().without_subgroups()].map(|gpu| {
-            let mut build = room(1.0, DVec3::ZERO, [40, 24]);
-            let material = build.material([0.6, 0.3, 0.4], [0.0; 3], false);
-            for x in [-0.6, -0.2, 0.2, 0.6] {
-                let low = dvec3(x, 0.8, -0.9);
-                build.cuboid(material, low, low + DVec3::splat(0.1), false);
-            }
-            let plan = Plan::new(build.scene(), &settings, true);
-            assert!(!plan.target().literals);
-            let prepared = Prepared::new(gpu, plan.scene, &settings).unwrap();
+            let scene = room(1.0, DVec3::ZERO, [40, 24]).scene();
+            let prepared = Prepared::new(gpu, scene, &settings).unwrap();
             frame(&prepared, &settings)
         });
         let [a, b] = &images;

@@ -30,19 +30,10 @@ const FOREIGN: [&str; 11] = [
 /// Those of [`FOREIGN`] that are in programs with everything linked.
 const LINKED: [&str; 7] = ["phong", "glass", "mirror", "texture", "texel", "sphere", "node"];
 
-/// What traces rays in packets, and the programs that do so in the box.
-const PACKETS: &str = "trace/traverse_packet";
-const CAMERA_RAYS: [&str; 4] =
-    ["visible points", "first camera rays", "antialiasing", "paths, camera"];
-
 fn programs(method: Method, link_everything: bool) -> Vec<Program> {
-    programs_for(method, link_everything, true)
-}
-
-fn programs_for(method: Method, link_everything: bool, subgroups: bool) -> Vec<Program> {
     let scene = Scene::load("builtin:cornell").expect("it is built in");
     let settings = Settings { link_everything, ..Settings::of(method) };
-    let programs = Plan::new(scene, &settings, subgroups).programs(&settings);
+    let programs = Plan::new(scene, &settings, true).programs(&settings);
     assert!(!programs.is_empty(), "{method:?}: nothing is linked");
     programs
 }
@@ -75,17 +66,9 @@ fn found<'a>(programs: &[Program], words: &[&'a str]) -> BTreeSet<&'a str> {
 
 #[test]
 fn programs_of_the_cornell_box_hold_nothing_that_it_has_none_of() {
-    for (method, subgroups) in Method::ALL.into_iter().flat_map(|of| [(of, false), (of, true)]) {
-        let programs = programs_for(method, false, subgroups);
-        let in_packets =
-            |program: &Program| program.modules.iter().any(|module| module.name == PACKETS);
-        let (packets, others): (Vec<_>, Vec<_>) = programs.into_iter().partition(in_packets);
-        // Camera rays go through the hierarchy where they can do so together, and no other rays.
-        assert_eq!(packets.is_empty(), !subgroups, "{method:?}");
-        assert!(packets.iter().all(|program| CAMERA_RAYS.contains(&program.label)), "{method:?}");
-        let foreign = FOREIGN.into_iter().filter(|word| *word != "node").collect::<Vec<_>>();
-        let found = [found(&others, &FOREIGN), found(&packets, &foreign)];
-        assert!(found.iter().all(BTreeSet::is_empty), "{method:?} holds {found:?}");
+    for method in Method::ALL {
+        let found = found(&programs(method, false), &FOREIGN);
+        assert!(found.is_empty(), "{method:?} holds {found:?}");
     }
 }
 

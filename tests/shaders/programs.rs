@@ -167,26 +167,20 @@ fn literals_leave_the_hierarchy_out() {
     assert!(some > 0, "nothing is generated");
 }
 
-/// Whether the hierarchy is linked depends on the size of the scene, and, for camera rays, on whether
-/// the device has subgroups.
+/// Whether the hierarchy is linked depends on the size of the scene.
 #[test]
 fn a_small_scene_leaves_the_hierarchy_out() {
-    let left_out = |copies: usize, subgroups: bool| {
+    let left_out = |copies: usize| {
         let mut scene = Scene::load("builtin:cornell").expect("it is built in");
         scene.triangles = scene.triangles.repeat(copies);
         let gpu = Gpu::open(&AdapterChoice::Auto).expect("a device");
-        let gpu = if subgroups { gpu } else { gpu.without_subgroups() };
-        let together = gpu.has_subgroups();
         let prepared = Prepared::new(gpu, scene, &Settings::default()).expect("it fits");
-        (prepared.left_out(), together)
+        prepared.left_out()
     };
     let (hierarchy, literals) = ("bounding volume hierarchy", "triangles as literals");
-    for subgroups in [false, true] {
-        let ((small, together), (large, _)) = (left_out(1, subgroups), left_out(2, subgroups));
-        assert_eq!(small.contains(&hierarchy), !together, "{small:?}");
-        assert!(!small.contains(&literals), "{small:?}");
-        assert!(large.contains(&literals) && !large.contains(&hierarchy), "{large:?}");
-    }
+    let (small, large) = (left_out(1), left_out(2));
+    assert!(small.contains(&hierarchy) && !small.contains(&literals), "{small:?}");
+    assert!(large.contains(&literals) && !large.contains(&hierarchy), "{large:?}");
 }
 
 #[test]

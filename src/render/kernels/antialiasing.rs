@@ -78,7 +78,7 @@ fn around(last: &[&'static Module]) -> Vec<&'static Module> {
 
 /// Whether packets of beams go through the hierarchy.
 fn has_packets(target: Target) -> bool {
-    target.subgroups && !target.of_camera_rays().literals
+    target.subgroups && !target.literals
 }
 
 /// Beams of camera rays, and what rays see that no light falls on.

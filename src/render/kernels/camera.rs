@@ -42,7 +42,6 @@ pub fn point_attributes(features: Features) -> Vec<&'static Module> {
 
 /// Camera rays, before what becomes of them.
 pub fn camera_rays(target: Target, last: &[&'static Module]) -> Vec<&'static Module> {
-    let target = target.of_camera_rays();
     let (first, rays) = ([&TYPES, &SAMPLING, &PIXELS], rays(target));
     [&first[..], &rays, &[&CAMERA], &specular_chain(target), last].concat()
 }

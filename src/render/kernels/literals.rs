@@ -38,8 +38,6 @@ impl Literals {
     /// | 98 | 2.78 | 4.04 | 1.67 | 1.65 | 2.76 | 2.26 | 2.30 | 1.27 |
     /// | 158 | 3.04 | 6.57 | 1.94 | 2.52 | 3.61 | 5.08 | 3.21 | 2.86 |
     ///
-    /// These are of a time when camera rays had literals, too: see [`of_camera_rays`](crate::render::features::Target::of_camera_rays).
-    ///
     /// A loop over all triangles, loaded as in the hierarchy's leaves, is slower than the
     /// hierarchy everywhere: at 38 triangles 2.45 s and, of paths, 2.69 s; at 98 4.4 and 5.7 s.
     const MOST_TRIANGLES: usize = 64;
