@@ -16,15 +16,16 @@ fn main(
     let ray = point_ray(own, pixel);
     let stored = id.x == own && ray.is;
     let is = stored && pixel.x < params.width && pixel.y < params.height;
-    // A loop, as a branch that no invocation takes is not skipped everywhere.
+    let inside = select(scrambled(ray.number, ray.stream), vec2f(0.5), ray.in_middle);
+    let direction = camera_direction(pixel, inside);
+    let chain = trace_specular_chain(
+        params.position, direction, select(0.0, HUGE, is), params.nodes, params.offset,
+        ray.number, ray.stream, invocation,
+    );
+    // A loop, as a branch that no invocation takes is not skipped everywhere; and without the rays, as
+    // triangles that are literals are slower in it.
     let rounds = select(0u, 1u, some_ray(stored));
     for (var round = 0u; round < rounds; round++) {
-        let inside = select(scrambled(ray.number, ray.stream), vec2f(0.5), ray.in_middle);
-        let direction = camera_direction(pixel, inside);
-        let chain = trace_specular_chain(
-            params.position, direction, select(0.0, HUGE, is), params.nodes, params.offset,
-            ray.number, ray.stream, invocation,
-        );
         if chain.hit.triangle != NOTHING && !ray.replaces { film[own].w += 1.0; }
         if stored {
             let point = hit_point(chain.hit, chain.direction);

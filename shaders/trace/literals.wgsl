@@ -27,10 +27,16 @@ fn edge(ray: Ray, direction: vec3f, moment: vec3f) -> f32 {
     return dot(ray.direction, moment) + dot(direction, ray.moment);
 }
 
-// Where a ray meets a plane; below 0 if it is parallel to it.
-fn plane(ray: Ray, normal: vec3f, height: f32) -> f32 {
+// Where a ray meets a plane, below 0 if it is parallel to it; and how far it starts from there.
+struct Crossing {
+    t: f32,
+    rest: f32,
+}
+
+fn plane(ray: Ray, normal: vec3f, height: f32) -> Crossing {
+    let rest = height - dot(normal, ray.origin);
     let speed = dot(normal, ray.direction);
-    return select(-1.0, (height - dot(normal, ray.origin)) / speed, speed != 0.0);
+    return Crossing(select(-1.0, rest / speed, speed != 0.0), abs(rest));
 }
 
 // Triangles come by index, so that of those at the same t the lowest stays. u, v and w are the
@@ -38,28 +44,26 @@ fn plane(ray: Ray, normal: vec3f, height: f32) -> f32 {
 // triangle's own plane: see `intersect` in ray.wgsl.
 fn nearer(
     met: Met,
-    at: f32,
+    at: Crossing,
     u: f32,
     v: f32,
     w: f32,
     slack: f32,
     lengths: vec3f,
-    area: f32,
     triangle: u32,
 ) -> Met {
     let least = min(u, min(v, w));
     let most = max(u, max(v, w));
-    let volumes = vec3f(u, v, w) * lengths;
-    let sum = volumes.x + volumes.y + volumes.z;
     let strict = least >= 0.0 || most <= 0.0;
-    // The sum is twice the area times the speed towards the plane; twice the slack is far from it.
-    let may_be = (least >= -slack || most <= slack) && abs(at * sum) > 4.0 * area * slack;
-    let t = select(at * BEYOND, at, strict);
-    let is = (strict || may_be) && sum != 0.0 && t > 0.0 && t < met.t;
+    // Twice the slack is far from the plane.
+    let may_be = (least >= -slack || most <= slack) && at.rest > 2.0 * slack;
+    let some = least < 0.0 || most > 0.0;
+    let t = select(at.t * BEYOND, at.t, strict);
+    let is = (strict || may_be) && some && t > 0.0 && t < met.t;
     return Met(
         select(met.t, t, is),
         select(met.triangle, triangle, is),
-        select(met.volumes, volumes, is),
+        select(met.volumes, vec3f(u, v, w) * lengths, is),
     );
 }
 

@@ -39,7 +39,6 @@ fn nearer(
     w: vec4f,
     slack: vec4f,
     lengths: vec3f,
-    area: f32,
     triangle: u32,
 ) -> Met {
     let one_side = (min(u, min(v, w)) >= -slack) | (max(u, max(v, w)) <= slack);

@@ -148,11 +148,10 @@ impl Text {
         let farthest = [a, b, c].map(|corner| corner.abs().max_element());
         let farthest = farthest.into_iter().fold(1.0, f64::max) as f32;
         let lengths = Literal(DVec3::new(b.distance(c), c.distance(a), a.distance(b)));
-        let area = 0.5 * (b - a).cross(c - a).length() as f32;
         // Writing to a string does not fail.
         let _ = writeln!(
             self.lines,
-            "    met = nearer(met, v{plane}, {u}, {v}, {w}, ray.slack * {farthest:?}, {lengths}, {area:?}, {at}u);"
+            "    met = nearer(met, v{plane}, {u}, {v}, {w}, ray.slack * {farthest:?}, {lengths}, {at}u);"
         );
     }
 
