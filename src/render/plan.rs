@@ -22,7 +22,8 @@ pub struct Plan {
     pub scene: Scene,
     /// The hierarchy over the scene's triangles and spheres.
     pub bvh: Bvh,
-    /// The same for packets of rays, where there are any: not without subgroups, nor against literals.
+    /// The same for packets of rays, where there are any: not without subgroups, nor where literals suit
+    /// shadow rays to VPLs, too.
     pub wide: Option<WideBvh>,
     /// The light sources.
     pub lights: Lights,
@@ -45,7 +46,8 @@ impl Plan {
         let start = Instant::now();
         let bvh = Bvh::of(&scene);
         let literals = if everything { None } else { Literals::of(&scene, &bvh) };
-        let wide = (subgroups && literals.is_none()).then(|| WideBvh::of(&bvh));
+        let without = literals.as_ref().is_some_and(|literals| literals.suit_packets);
+        let wide = (subgroups && !without).then(|| WideBvh::of(&bvh));
         let bvh_time = start.elapsed();
         let lights = Lights::of(&scene);
         Self {
