@@ -37,7 +37,7 @@ pub use settings::{
     Sharing,
 };
 pub use virtual_light::{GlossyLobe, VirtualLight};
-pub use vpls::{LightPaths, Vpl, light_paths};
+pub use vpls::{LightPaths, Starts, Vpl, light_paths};
 
 use camera::FrameSetup;
 use frame::{ClusteredPoints, Steps};
@@ -65,7 +65,7 @@ pub fn frame(
 
     // On the host: light paths, and clusters of the VPLs that they leave.
     progress(0.0, "light paths");
-    let vpls = VplSet::trace(prepared, settings, seed, &mut tally);
+    let vpls = VplSet::trace(prepared, camera, settings, seed, &mut tally);
 
     // On the device: the steps, each with its stages and its buffers of a tile.
     let gathers_vpls = !vpls.gathered(settings).is_empty();

@@ -31,9 +31,14 @@ pub struct Report {
     /// Of all kinds; each triangle and sphere that emits is one.
     pub lights: usize,
     pub visible_points: u64,
-    pub light_paths: u32,
+    pub light_paths: u64,
     pub bounces: BounceLimit,
     pub vpls: u64,
+    /// VPLs of which those were chosen; null where all are gathered.
+    pub vpl_candidates: Option<u64>,
+    /// How many equal VPLs would leave as much to chance as those that were chosen; null where all
+    /// are gathered.
+    pub effective_vpls: Option<f64>,
     /// Null where VPLs are not clustered.
     pub vpl_clusters: Option<u64>,
     /// Null where visible points are not clustered.
@@ -213,7 +218,6 @@ impl Report {
         let scene = &prepared.scene;
         let Image { width, height, .. } = first.image;
         let counts = &first.counts;
-        let traces_paths = settings.method.traces_paths();
         Self {
             schema: SCHEMA,
             version: env!("CARGO_PKG_VERSION"),
@@ -228,12 +232,14 @@ impl Report {
             spheres: scene.spheres.len(),
             lights: scene.light_count(),
             visible_points: counts.visible_points,
-            light_paths: if traces_paths { settings.light_paths } else { 0 },
+            light_paths: counts.light_paths,
             bounces: match settings.bounces {
                 Bounces::Finite(bounces) => BounceLimit::Finite(bounces),
                 Bounces::Unlimited => BounceLimit::Named("unlimited"),
             },
             vpls: counts.vpls,
+            vpl_candidates: counts.vpl_candidates,
+            effective_vpls: counts.effective_vpls,
             vpl_clusters: counts.vpl_clusters,
             point_clusters: counts.point_clusters,
             shadow_rays: counts.shadow_rays,

@@ -66,6 +66,16 @@ pub fn uniform_disk(normal: Vec3, u: [f32; 2]) -> Vec3 {
     x * (r * cos) + y * (r * sin)
 }
 
+/// The random numbers with which [`uniform_disk`] gives a place, from its part across `normal`; places
+/// off the disc are moved to its rim.
+pub fn on_disk(normal: Vec3, place: Vec3) -> [f32; 2] {
+    let [x, y] = frame(normal).map(|axis| axis.dot(place));
+    // The largest number below 1 is as far as random numbers go.
+    let most = 1.0 - 0.5 * f32::EPSILON;
+    let turned = libm::atan2f(y, x) / std::f32::consts::TAU;
+    [(x * x + y * y).min(most), (if turned < 0.0 { turned + 1.0 } else { turned }).min(most)]
+}
+
 /// A direction within a cone about `axis` (of unit length), 1 minus the cosine of whose angle is
 /// `width`; pdf 1 / (2π width).
 pub fn uniform_cone(axis: Vec3, width: f32, u: [f32; 2]) -> Vec3 {
@@ -148,6 +158,23 @@ mod tests {
         assert!((cosine - 2.0 / 3.0).abs() < 1e-3, "mean cosine {cosine}");
         assert!((cone - 0.85).abs() < 1e-3, "mean cosine in a cone {cone}");
         assert!((disk - 2.0 / 3.0).abs() < 1e-3, "mean radius in a disk {disk}");
+    }
+
+    #[test]
+    fn places_on_a_disk_are_found_again() {
+        let sequence = Sequence::new(3);
+        for i in 0..4096 {
+            let [u, v, a, b] = [0, 1, 2, 3].map(|d| sequence.sample(i, d));
+            let normal = uniform_sphere([a, b]);
+            // What is along the normal is left out.
+            let place = uniform_disk(normal, [u, v]) + 3.0 * v * normal;
+            let [again_u, again_v] = on_disk(normal, place);
+            let turned = (again_v - v).abs();
+            assert!((again_u - u).abs() < 1e-5, "{u}: {again_u}");
+            assert!(turned.min(1.0 - turned) * u.sqrt() < 1e-5, "{v}: {again_v}");
+        }
+        assert!(on_disk(Vec3::Z, Vec3::new(2.0, 0.0, 5.0))[0] < 1.0);
+        assert!(on_disk(Vec3::Z, Vec3::new(0.5, -1e-9, 0.0))[1] < 1.0);
     }
 
     #[test]

@@ -14,14 +14,15 @@ fn all_carried(carried: Carried) -> vec3f {
     return carried;
 }
 
-// What arrives at the next vertex by a segment of this geometry term; whether it is anything.
+// What arrives at the next vertex by a segment of this geometry term over the bound; whether it is
+// anything.
 fn arrive(slot: u32, carried: Carried, next: Point, throughput: vec3f, g: f32) -> bool {
     let left = carried * throughput * clamped_share(g);
     paths[slot].throughput = left;
     return max(left.x, max(left.y, left.z)) > 0.0;
 }
 
-// No light from farther away is clamped: G <= cos / d^2 <= b.
+// No light from farther away is clamped, whatever reflects it: G <= cos / d^2 <= b.
 fn farthest(point: Point, direction: vec3f) -> f32 {
     return sqrt(max(dot(point.normal, direction), 0.0) / params.bound);
 }

@@ -6,7 +6,7 @@
 alias Carried = Arrival;
 
 // Throughput by the diffuse part and by the lobe of the vertex before, each with the geometry term
-// of the segment times that lobe.
+// of the segment times that lobe over the bound.
 struct Arrival {
     diffuse: vec3f,
     diffuse_g: f32,

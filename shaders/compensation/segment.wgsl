@@ -7,7 +7,7 @@
 @group(0) @binding(23) var<storage, read> queue: array<u32>;
 @group(0) @binding(24) var<storage, read_write> survivors: array<u32>;
 
-// A geometry term above any bound, and any pair of lobes times it is finite.
+// A geometry term over the bound that is far above it, and any pair of lobes times it is finite.
 const ALL_CLAMPED = 1e20;
 
 // The geometry term between two points.
@@ -50,7 +50,8 @@ fn main(
         // The light of virtual point lights comes by no mirror: nothing is clamped of what a
         // vertex sees in one, and the visible point has none of it.
         let turned = select(ALL_CLAMPED, 0.0, first);
-        let g = select(geometry(point, next), turned, is_specular(chain));
+        let relative = min(geometry(point, next) / geometry_bound(next), ALL_CLAMPED);
+        let g = select(relative, turned, is_specular(chain));
         store_albedo(slot, hit, next, chain.direction, 0.0);
         store_emission_scale(slot, hit, next, chain.direction, 0.0);
         find_emission(slot, all * throughput, point, hit, next, chain.direction, density);

@@ -14,11 +14,11 @@ fn pair_of(x: Receiver, vpl: Vpl, seen: Seen, bit: u32) -> Gathered {
     let specular = vec4f(vpl.specular, vpl.specular_mean);
     let visible = shown(vec2f(1.0), seen, bit).x;
     return Gathered(
-        (bounded(diffuse, g) + bounded(specular, g * there)) * visible,
-        (bounded(diffuse, g * here) + bounded(specular, g * here * there)) * visible,
+        (bounded(vpl.bound, diffuse, g) + bounded(vpl.bound, specular, g * there)) * visible,
+        (bounded(vpl.bound, diffuse, g * here) + bounded(vpl.bound, specular, g * here * there)) * visible,
     );
 }
 
-fn bounded(light: vec4f, g: f32) -> vec4f {
-    return light * vec2f(bounded_geometry(g, params.bound), clamped_geometry(g, params.bound)).xxxy;
+fn bounded(bound: f32, light: vec4f, g: f32) -> vec4f {
+    return light * vec2f(bounded_geometry(g, bound), clamped_geometry(g, bound)).xxxy;
 }

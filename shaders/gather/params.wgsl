@@ -6,10 +6,10 @@ struct ShadeParams {
     rows: u32,
     matrix_word: u32,
     words: u32,
-    bound: f32,
     first_point: u32,
     pad0: u32,
     pad1: u32,
+    pad2: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: ShadeParams;

@@ -4,7 +4,8 @@ struct Vpl {
     position: vec3f,
     pad0: f32,
     normal: vec3f,
-    pad1: f32,
+    // On the geometry term.
+    bound: f32,
     intensity: vec3f,
     // Of the channels of the intensity.
     mean: f32,

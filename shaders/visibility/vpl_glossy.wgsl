@@ -14,7 +14,8 @@ struct GlossyVpl {
     specular: vec3f,
     specular_mean: f32,
     mirrored: vec3f,
-    pad: f32,
+    // On the geometry term.
+    bound: f32,
 }
 
 alias Vpl = GlossyVpl;

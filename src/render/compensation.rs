@@ -27,7 +27,7 @@ use super::settings::{Bounces, Settings};
 use super::stage::Stage;
 use super::virtual_light::VirtualLight;
 use super::visibility::{self, VPL_BUFFER};
-use super::vpls::Vpl;
+use super::vpls::{GeometryBound, Vpl};
 use crate::gpu::{ArrivalRecord, CompensatedParams, GpuError, PathParams, StartParams};
 use crate::sampling::hash;
 
@@ -72,7 +72,7 @@ impl Compensation {
         settings: &Settings,
         seed: u32,
         vpls: &[Vpl],
-        bound: f32,
+        bound: &GeometryBound,
         [visible, irradiance]: [&wgpu::Buffer; 2],
         points: usize,
     ) -> Result<Self, GpuError> {
@@ -84,7 +84,7 @@ impl Compensation {
         let slots = points * at_once;
         let vertices = Vertices::new(prepared, slots)?;
         let (by_bounce, vpls_within) = by_bounces(vpls, prepared);
-        let table = visibility::table(prepared, &by_bounce)?;
+        let table = visibility::table(prepared, &by_bounce, Some(bound))?;
         let arrivals = match prepared.features.phong {
             true => Some(gpu.storage::<ArrivalRecord>("arrivals", slots)?),
             false => None,
@@ -95,9 +95,10 @@ impl Compensation {
         named.extend([("irradiance", irradiance), ("visible", visible)]);
         let target = prepared.target();
         let areas = prepared.lights.have_surfaces();
+        let cells = bound.upload(gpu)?;
         let bind = |program| Stage::new(prepared, &program, &named);
         Ok(Self {
-            bound,
+            bound: bound.least(),
             bounces: settings.bounces,
             paths,
             at_once: at_once as u32,
@@ -107,7 +108,12 @@ impl Compensation {
             start: bind(programs::start())?,
             lights: next_event(prepared, &named, &|kind| programs::next_event(target, kind))?,
             vpls: bind(programs::vpls(target))?,
-            segment: bind(programs::segment(target, settings.bounces, areas))?,
+            segment: Stage::with_textures(
+                prepared,
+                &programs::segment(target, settings.bounces, areas),
+                &named,
+                &[("bound_cells", &cells)],
+            )?,
             sum: bind(programs::compensated(target))?,
             vertices,
         })

@@ -45,11 +45,13 @@ impl<'a> IndirectLight<'a> {
         let subsets = if settings.interleaves() { settings.interleave.pow(2) } else { 1 };
         let gathered = vpls.gathered(settings);
         let columns = vpls.clusters.as_ref();
-        let Some(lights) = LightSet::new(prepared, gathered, columns, vpls.bound, subsets)? else {
+        let Some(lights) =
+            LightSet::new(prepared, gathered, columns, vpls.bound.as_ref(), subsets)?
+        else {
             return Ok(None);
         };
         let points = setup.most_points();
-        let bound = vpls.bound;
+        let bound = vpls.bound.as_ref();
         let compensates = bound.is_some() && settings.compensates();
         let lobes = prepared.target().lobes();
         let compensated = (compensates && settings.interleaves())

@@ -82,8 +82,18 @@ impl Phases {
 pub struct Counts {
     /// Visible points that hit a surface.
     pub visible_points: u64,
-    /// VPLs deposited.
+    /// Light paths traced, see [`Settings::candidates`](super::settings::Settings::candidates).
+    #[serde(default)]
+    pub light_paths: u64,
+    /// VPLs gathered: all that light paths have left, or those that are kept of more.
     pub vpls: u64,
+    /// VPLs that light paths have left, where some of them are kept.
+    #[serde(default)]
+    pub vpl_candidates: Option<u64>,
+    /// How many equal VPLs would leave as much to chance as those that are kept: Kish's effective
+    /// number of what they add to the image.
+    #[serde(default)]
+    pub effective_vpls: Option<f64>,
     /// Clusters of VPLs, where the method makes them.
     pub vpl_clusters: Option<u64>,
     /// Clusters of visible points, where the method makes them.

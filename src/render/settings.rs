@@ -148,8 +148,11 @@ pub enum Sharing {
 pub struct Settings {
     /// What to show.
     pub method: Method,
-    /// Light paths N.
+    /// Light paths N; with candidates, VPLs that are gathered.
     pub light_paths: u32,
+    /// Light paths go on until they have left so many candidates for each VPL that is gathered, of which
+    /// those are kept that the image needs; 1 is none: N light paths, and all that they leave.
+    pub candidates: u32,
     /// Indirect bounces B.
     pub bounces: Bounces,
     /// Direct light.
@@ -226,6 +229,7 @@ impl Settings {
         Self {
             method,
             light_paths: 8000,
+            candidates: if method.clusters_points() { 8 } else { 1 },
             bounces: Bounces::Finite(2),
             direct: Direct::PerPixel,
             light_samples: None,
@@ -242,12 +246,19 @@ impl Settings {
 }
 
 impl Settings {
+    /// Candidates for a VPL, at most.
+    pub const MOST_CANDIDATES: u32 = 64;
     /// A pixel combines with those up to one block of 8 × 8 away.
     pub const MOST_INTERLEAVE: u32 = 8;
 
     /// Whether there is indirect light to gather.
     pub fn traces_light_paths(&self) -> bool {
         self.method.is_indirect() && self.bounces != Bounces::Finite(0)
+    }
+
+    /// Whether VPLs are chosen among candidates.
+    pub fn chooses_vpls(&self) -> bool {
+        self.traces_light_paths() && self.candidates > 1
     }
 
     /// Whether there is something to give back of what the bound on G removes.

@@ -23,6 +23,7 @@ fn values(settings: &Settings) -> Vec<(&'static str, String)> {
     [
         ("method", Some(method.name().to_owned())),
         ("vpls", number(method.traces_paths(), settings.light_paths)),
+        ("vpl-candidates", number(gathers, settings.candidates)),
         ("bounces", (gathers || *method == Method::Path).then(|| bounces(settings.bounces))),
         ("samples", number(true, settings.samples)),
         ("point-clusters", number(points, clustering.points)),

@@ -213,6 +213,7 @@ fn unclustered(light_paths: u32, bounces: u32) -> Settings {
         // The thesis has one sample a pixel.
         edge_samples: 1,
         interleave: 1,
+        candidates: 1,
         ..Settings::of(Method::Vpl)
     }
 }

@@ -253,7 +253,7 @@ fn the_report_has_every_key() {
     has(
         &report,
         "schema version scene method seed width height samples adapter triangles spheres lights \
-         visible_points light_paths bounces vpls vpl_clusters point_clusters shadow_rays \
+         visible_points light_paths bounces vpls vpl_candidates effective_vpls vpl_clusters point_clusters shadow_rays \
          shading_terms seconds phases frames threads peak_memory_bytes clamp clamped_fraction \
          compensated truncated_fraction standard_error denoiser nonfinite_pixels dropped_triangles left_out warnings",
     );
@@ -268,11 +268,16 @@ fn the_report_has_every_key() {
     has(&report["frames"][1], "seconds preprocess render");
     assert_eq!((&report["width"], &report["height"]), (&16.into(), &12.into()));
     assert_eq!((&report["seed"], &report["threads"]), (&9.into(), &2.into()));
-    assert_eq!(report["light_paths"], 20);
+    // Twenty VPLs, chosen among about eight times as many.
+    let [paths, chosen, candidates] =
+        ["light_paths", "vpls", "vpl_candidates"].map(|key| report[key].as_u64().unwrap());
+    assert!(paths >= 20 && (19..=21).contains(&chosen), "{chosen} VPLs of {paths} paths");
+    assert!((100..300).contains(&candidates), "{candidates} candidates");
+    let effective = report["effective_vpls"].as_f64().unwrap();
+    assert!(effective > 1.0 && effective <= chosen as f64, "{effective} effective VPLs");
     let counts = ["triangles", "spheres", "lights"].map(|key| report[key].as_u64());
     assert_eq!(counts, [Some(38), Some(0), Some(2)]);
     assert_eq!(report["bounces"], 2);
-    assert!(report["vpls"].as_u64() > Some(0), "{report}");
     let phases: f64 = report["phases"].as_object().unwrap().values().flat_map(Value::as_f64).sum();
     let total = report["seconds"]["total"].as_f64().unwrap();
     assert!(phases > 0.0 && phases <= total, "phases overlap: {phases} s of {total} s");

@@ -19,7 +19,14 @@ fn prepared(gpu: Gpu) -> Prepared {
 }
 
 fn settings(method: Method, clustering: Clustering) -> Settings {
-    Settings { light_paths: 700, samples: 2, clustering, interleave: 1, ..Settings::of(method) }
+    Settings {
+        light_paths: 700,
+        samples: 2,
+        clustering,
+        interleave: 1,
+        candidates: 1,
+        ..Settings::of(method)
+    }
 }
 
 fn all_clusterings(points: u32, vpls: u32) -> Vec<Clustering> {

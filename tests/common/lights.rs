@@ -76,6 +76,7 @@ pub fn direct_light(scene: &Scene, samples: u32) -> Vec<(&'static str, Frame)> {
         direct: Direct::Clustered,
         bounces: Bounces::Finite(0),
         interleave: 1,
+        candidates: 1,
         ..direct
     };
     let bounces = Bounces::Finite(0);

@@ -217,7 +217,7 @@ fn rays_of_the_lobe_leave_clustered_lamps_alone() {
         light_samples: Some(1024),
         ..Settings::of(Method::Vpc)
     };
-    let clustered = Settings { direct: Direct::Clustered, interleave: 1, ..own };
+    let clustered = Settings { direct: Direct::Clustered, interleave: 1, candidates: 1, ..own };
     let prepared = Prepared::new(gpu().clone(), scene, &own).unwrap();
     let [own, clustered] =
         [own, clustered].map(|settings| render(&prepared, &settings, 1)).map(|image| {

@@ -33,6 +33,7 @@ fn settings(method: Method) -> Settings {
         edge_samples: 1,
         // The order of VPLs along a curve decides which pixel gathers which: rounding changes it.
         interleave: 1,
+        candidates: 1,
         clustering: Clustering { points: 100, vpls: 200, ..Clustering::default() },
         samples: if method == Method::Path { 16 } else { 1 },
         ..Settings::of(method)

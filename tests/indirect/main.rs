@@ -7,4 +7,5 @@ mod common;
 mod closed_forms;
 mod compensation;
 mod convergence;
+mod starts;
 mod vpls;

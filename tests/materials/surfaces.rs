@@ -142,7 +142,8 @@ fn vpls_give_what_paths_find_in_glossy_rooms() {
 #[test]
 fn clusters_of_one_shade_glossy_points_as_vpls_do() {
     let each = Settings { light_paths: 200, ..Settings::of(Method::Vpl) };
-    let mut clustered = Settings { interleave: 1, ..Settings { method: Method::Both, ..each } };
+    let mut clustered =
+        Settings { interleave: 1, candidates: 1, ..Settings { method: Method::Both, ..each } };
     clustered.clustering.points = 1 << 20;
     clustered.clustering.vpls = 1 << 20;
     clustered.clustering.fuzzy = 1;
@@ -153,7 +154,7 @@ fn clusters_of_one_shade_glossy_points_as_vpls_do() {
 #[test]
 fn interleaved_subsets_share_lobes_too() {
     let few = Settings { light_paths: 4000, ..Settings::of(Method::Both) };
-    let all = Settings { interleave: 1, ..few };
+    let all = Settings { interleave: 1, candidates: 1, ..few };
     let [one, other] = [few, all].map(|s| mean(&glossy_room(12.0).render(&s).image.pixels));
     for (one, other) in one.iter().zip(other) {
         assert!((one / other - 1.0).abs() < 0.02, "{one} for {other}");
@@ -182,7 +183,7 @@ fn interleaved_subsets_are_shared_by_one_lobe() {
         build
     };
     let few = Settings { light_paths: 4000, direct: Direct::Off, ..Settings::of(Method::Both) };
-    let all = Settings { interleave: 1, ..few };
+    let all = Settings { interleave: 1, candidates: 1, ..few };
     let [one, other] = [few, all].map(|s| mean(&scene().render(&s).image.pixels)[1]);
     assert!((one / other - 1.0).abs() < 0.02, "{one} for {other}");
 }

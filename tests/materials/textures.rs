@@ -217,7 +217,14 @@ fn vpls_have_the_albedo_of_their_places() {
 fn clustered_points_keep_their_albedo() {
     let settings = |method| {
         let clustering = Clustering { points: 1 << 20, vpls: 1 << 20, ..Clustering::default() };
-        Settings { light_paths: 300, samples: 2, clustering, interleave: 1, ..Settings::of(method) }
+        Settings {
+            light_paths: 300,
+            samples: 2,
+            clustering,
+            interleave: 1,
+            candidates: 1,
+            ..Settings::of(method)
+        }
     };
     for gpu in [gpu().clone(), gpu().clone().without_subgroups()] {
         let scene = textured_room([40, 24]).scene();

@@ -86,11 +86,11 @@ fn records() -> Vec<Record> {
         record!(TextureRecord as "Texture" { first, width, height, sampler, scale, shift }),
         record!(MaterialRecord as "Material" { albedo, two_sided, emission, pad }),
         record!(PointRecord as "Point" { position, surface, normal, depth }),
-        record!(VplRecord as "Vpl" { position, pad0, normal, pad1, intensity, mean }),
+        record!(VplRecord as "Vpl" { position, pad0, normal, bound, intensity, mean }),
         record!(BsdfRecord as "Bsdf" { specular, kind, parameter, lobe_probability, pad }),
         record!(GlossyVplRecord as "GlossyVpl" {
             position, shininess, normal, peak, intensity, mean, specular, specular_mean, mirrored,
-            pad,
+            bound,
         }),
         record!(PointLightRecord as "PointLight" { position, before, intensity, probability }),
         record!(SpotLightRecord as "SpotLight" {
@@ -128,7 +128,7 @@ fn records() -> Vec<Record> {
         }),
         record!(ExpandParams as "ExpandParams" { rows, matrix_word, words, pad }),
         record!(ShadeParams as "ShadeParams" {
-            points, rows, matrix_word, words, bound, first_point, pad,
+            points, rows, matrix_word, words, first_point, pad,
         }),
         record!(PathRecord as "Path" { throughput, stream }),
         record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),

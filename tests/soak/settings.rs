@@ -54,6 +54,7 @@ pub fn settings(rng: &mut Rng, method: Method, pixels: u32, scale: f64) -> Setti
         compensate: percent(rng, 50),
         edge_samples: count(rng, 1, 64),
         clustering: clustering(rng),
+        candidates: if percent(rng, 50) { 1 } else { count(rng, 1, 16) },
         interleave: if percent(rng, 50) { 1 } else { count(rng, 1, Settings::MOST_INTERLEAVE) },
         ..Settings::of(method)
     }

@@ -25,11 +25,19 @@ pub struct RenderArgs {
     #[arg(long, default_value = "both", value_parser = parse::method)]
     pub method: Method,
 
-    /// Light paths; each leaves up to one VPL a bounce
+    /// VPLs that are gathered; without candidates, light paths, each of which leaves up to one VPL
+    /// a bounce
     #[arg(long, allow_negative_numbers = true, value_name = "N",
           default_value_t = Settings::default().light_paths,
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_LIGHT_PATHS)))]
     pub vpls: u32,
+
+    /// Light paths are traced until they have left so many VPLs for each one that is gathered; those
+    /// that the image needs are kept, by chance, and stand for the others; 1 is off [default: 8 with
+    /// vpc and both, else 1]
+    #[arg(long, allow_negative_numbers = true, value_name = "C",
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_CANDIDATES)))]
+    pub vpl_candidates: Option<u32>,
 
     /// Indirect bounces, or unlimited
     #[arg(long, value_name = "B", default_value = "2", value_parser = parse::bounces,
@@ -187,6 +195,7 @@ impl RenderArgs {
         Settings {
             method: self.method,
             light_paths: self.vpls,
+            candidates: self.vpl_candidates.unwrap_or(defaults.candidates),
             bounces: self.bounces,
             direct: self.direct,
             light_samples: self.light_samples.0,

@@ -12,9 +12,10 @@ use crate::render::Settings;
 use crate::study::{Experiment, Run, options};
 
 /// Those that a setting is made of.
-const NAMES: [&str; 20] = [
+const NAMES: [&str; 21] = [
     "method",
     "vpls",
+    "vpl-candidates",
     "bounces",
     "samples",
     "point-clusters",

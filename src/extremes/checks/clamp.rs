@@ -19,6 +19,7 @@ fn indirect(method: Method, light_paths: u32) -> Settings {
         direct: Direct::Off,
         edge_samples: 1,
         interleave: 1,
+        candidates: 1,
         ..Settings::of(method)
     }
 }

@@ -143,6 +143,7 @@ pub fn of_one(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
             light_paths,
             samples: 2,
             interleave: 1,
+            candidates: 1,
             clustering: Clustering {
                 points: u32::MAX,
                 vpls: u32::MAX,

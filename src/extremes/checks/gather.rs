@@ -20,7 +20,7 @@ pub fn vpl(position: Vec3, normal: Vec3, intensity: Vec3) -> VplRecord {
         position: position.to_array(),
         pad0: 0.0,
         normal: normal.to_array(),
-        pad1: 0.0,
+        bound: 0.0,
         intensity: intensity.to_array(),
         mean: intensity.element_sum() / 3.0,
     }
@@ -88,13 +88,13 @@ fn add(
         rows: count,
         matrix_word,
         words: bits.len() as u32 / count,
-        bound: bound.unwrap_or(0.0),
         first_point: 0,
-        pad: [0; 2],
+        pad: [0; 3],
     };
     gpu.write(&params, &[record])?;
     // Filled up to whole words with lights of no intensity, as the renderer does.
     let mut whole = vpls.to_vec();
+    whole.iter_mut().for_each(|vpl| vpl.bound = bound.unwrap_or(0.0));
     whole.resize(vpls.len().next_multiple_of(32), VplRecord::zeroed());
     let buffers = [
         ("params", &params),

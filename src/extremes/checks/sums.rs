@@ -139,6 +139,7 @@ pub fn many_terms(gpu: &Gpu, scale: Scale) -> Result<Vec<Figure>, Error> {
             direct: Direct::Off,
             edge_samples: 1,
             interleave: 1,
+            candidates: 1,
             clustering: Clustering { fuzzy, probes: 0, ..everyone },
             clamp,
             ..Settings::of(method)

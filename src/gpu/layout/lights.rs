@@ -13,7 +13,8 @@ pub struct VplRecord {
     /// Unit normal of the side that it lights.
     pub normal: [f32; 3],
     /// Unused.
-    pub pad1: f32,
+    /// Bound on the geometry term with it, see [`crate::render`]; unused where there is none.
+    pub bound: f32,
     /// Intensity along the normal: exitant flux over π.
     pub intensity: [f32; 3],
     /// Mean of the channels of `intensity`.
@@ -42,8 +43,8 @@ pub struct GlossyVplRecord {
     pub specular_mean: f32,
     /// Unit direction of the lobe.
     pub mirrored: [f32; 3],
-    /// Unused.
-    pub pad: f32,
+    /// As of [`VplRecord`].
+    pub bound: f32,
 }
 
 /// A point light, 32 bytes.

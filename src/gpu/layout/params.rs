@@ -207,12 +207,10 @@ pub struct ShadeParams {
     pub matrix_word: u32,
     /// Words in the matrix.
     pub words: u32,
-    /// The bound on G.
-    pub bound: f32,
     /// The first point to shade.
     pub first_point: u32,
     /// Unused.
-    pub pad: [u32; 2],
+    pub pad: [u32; 3],
 }
 
 /// What a path from the camera carries, 16 bytes.
@@ -265,7 +263,7 @@ pub struct PathParams {
     /// The probability of an emitting sphere over its mean radiance, its sides and its squared
     /// radius; 0 if emission that the next segment finds does not count.
     pub solid_density: f32,
-    /// On the geometry term, of bias compensation.
+    /// The least on the geometry term, of bias compensation.
     pub bound: f32,
     /// By which the paths of bias compensation leave the visible point: 0 diffuse, 1 glossy.
     pub lobe: u32,

@@ -113,7 +113,7 @@ impl<'a> Gather<'a> {
             Some(clusters) if clusters.weights.is_none() => Sharing::Cluster,
             Some(_) => Sharing::Fuzzy,
         };
-        let (target, bounded) = (prepared.target(), lights.bound.is_some());
+        let (target, bounded) = (prepared.target(), lights.bounded);
         let shade = kernels::shade(target, bounded, sharing, lights.emitter);
         let (rows, rows_count) = match clusters {
             None => (Rows::Points, points),
@@ -268,9 +268,8 @@ impl<'a> Gather<'a> {
                 rows,
                 matrix_word: run.first_word,
                 words: run.words,
-                bound: self.lights.bound.unwrap_or(0.0),
                 first_point,
-                pad: [0; 2],
+                pad: [0; 3],
             };
             // With subgroups an invocation has four points.
             let lane = if self.prepared.gpu.has_subgroups() { 4 } else { 1 };

@@ -247,6 +247,7 @@ modules! {
     PATH_SUM = "path/sum" for "path tracing";
     SEEN_ALL = "compensation/seen_all" for "bias compensation";
     COMPENSATION_SHARE = "compensation/share" for "bias compensation";
+    COMPENSATION_BOUND = "compensation/bound" for "bias compensation";
     COMPENSATION_START = "compensation/start" for "bias compensation";
     COMPENSATION_DIFFUSE = "compensation/diffuse";
     COMPENSATION_GLOSSY = "compensation/glossy" for "phong";

@@ -1,10 +1,10 @@
 //! The programs of bias compensation.
 
 use super::catalogue::{
-    COMPENSATION_ADD, COMPENSATION_CONTRIBUTION, COMPENSATION_DIFFUSE, COMPENSATION_GLOSSY,
-    COMPENSATION_SEGMENT, COMPENSATION_SHARE, COMPENSATION_START, COMPENSATION_VPLS,
-    EMITTER_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PATH_STATE, SAMPLING, SEEN_ALL,
-    TYPES,
+    COMPENSATION_ADD, COMPENSATION_BOUND, COMPENSATION_CONTRIBUTION, COMPENSATION_DIFFUSE,
+    COMPENSATION_GLOSSY, COMPENSATION_SEGMENT, COMPENSATION_SHARE, COMPENSATION_START,
+    COMPENSATION_VPLS, EMITTER_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PATH_STATE,
+    SAMPLING, SEEN_ALL, TABLE, TYPES,
 };
 use super::materials::{gathered, lobes};
 use super::path::{next_event_by, segments, vertex};
@@ -39,7 +39,7 @@ pub fn vpls(target: Target) -> Program {
 pub fn segment(target: Target, bounces: Bounces, areas: bool) -> Program {
     let mut last = segments(target, bounces, areas);
     last.extend(carried(target));
-    last.push(&COMPENSATION_SEGMENT);
+    last.extend([&TABLE, &COMPENSATION_BOUND, &COMPENSATION_SEGMENT]);
     Program::new("compensation, segment", vertex(target, &last))
 }
 

@@ -24,6 +24,11 @@ pub fn directional(scene: &Scene, bounds: &Bounds) -> Table<DirectionalLightReco
     })
 }
 
+/// The irradiance across its direction, mean of the channels.
+pub fn irradiance(light: &DirectionalLightRecord) -> f64 {
+    mean(Vec3::from_array(light.irradiance))
+}
+
 /// A place uniform on the disc.
 pub fn start(light: &DirectionalLightRecord, bounds: &Bounds, [u, v, ..]: [f32; 4]) -> Start {
     let (ray, area) = bounds.ray_along(-Vec3::from_array(light.toward), [u, v]);

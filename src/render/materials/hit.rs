@@ -12,6 +12,15 @@ const MOST_ALONG: f32 = 1000.0;
 const MOST_OF_RAY: f32 = 0.5;
 const BEHIND: f32 = 0.25;
 
+/// A place and the way that a surface faces there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Facet {
+    /// Where it is.
+    pub position: Vec3,
+    /// Unit geometric normal of the side that is lit.
+    pub normal: Vec3,
+}
+
 /// A place on a surface, on the side from which a ray came.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
@@ -57,6 +66,11 @@ impl Surface {
     /// Where a VPL is put: from there, rays start straight above.
     pub fn vpl_position(&self) -> Vec3 {
         self.position + (self.back - SURFACE_OFFSET * self.normal)
+    }
+
+    /// Where a VPL is put, and the way that the surface faces there.
+    pub fn facet(&self) -> Facet {
+        Facet { position: self.vpl_position(), normal: self.normal }
     }
 
     /// A ray that stays on this side.

@@ -21,6 +21,7 @@ impl Settings {
         within("vpls", self.light_paths, 1..=Self::MOST_LIGHT_PATHS)?;
         within("samples", self.samples, 1..=u32::MAX)?;
         within("edge-samples", self.edge_samples, 1..=Self::MOST_EDGE_SAMPLES)?;
+        within("vpl-candidates", self.candidates, 1..=Self::MOST_CANDIDATES)?;
         within("interleave", self.interleave, 1..=Self::MOST_INTERLEAVE)?;
         if let Some(count) = self.light_samples {
             within("light-samples", count, 1..=Self::MOST_LIGHT_SAMPLES)?;

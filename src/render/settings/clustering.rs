@@ -74,6 +74,11 @@ impl Default for Clustering {
     /// with either. More than 4 iterations over the points gain nothing above chance; a stride
     /// of 2, 4 or 8 saves 14, 23 or 28 ms of 52 ms.
     ///
+    /// Of 8000 VPLs chosen among 64,000 (unlimited bounces, without compensation) 1000, 2000 and 4000
+    /// clusters leave, in an office behind a door that is ajar (320 × 180, means of three seeds), a relMSE
+    /// of .052, .036 and .038, 14, 7 and 1 % too little light, and take 0.14, 0.23 and 0.39 s; in a
+    /// classroom (two seeds) .022, .021 and .020.
+    ///
     /// The built-in room, of small and curved surfaces, in the columns of the table: C = 500
     /// 20, 18, 15 and 14 %; C = 2000 13, 12, 11 and 10 %; C = 8000 8.5, 7.4, 7.7 and 6.6 %.
     /// Visibility of 1000 clusters of VPLs: 10 % with members, 19 % with means before those
@@ -81,7 +86,7 @@ impl Default for Clustering {
     fn default() -> Self {
         Self {
             points: 2600,
-            vpls: 1000,
+            vpls: 2000,
             point_iterations: 4,
             vpl_iterations: 2,
             normal_threshold: 0.9,

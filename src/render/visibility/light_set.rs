@@ -1,14 +1,13 @@
 //! Lights on the device that points gather: VPLs, or places on the light sources.
 
 use bytemuck::Zeroable;
-use glam::Vec3;
 
-use crate::cluster::morton;
 use crate::gpu::{GlossyVplRecord, GpuError, Texture, VplRecord};
 use crate::render::clusters::VplClusters;
 use crate::render::kernels::Emitter;
 use crate::render::prepared::Prepared;
-use crate::render::virtual_light::{GlossyLobe, VirtualLight};
+use crate::render::virtual_light::{GlossyLobe, VirtualLight, curve};
+use crate::render::vpls::GeometryBound;
 
 /// Lights that points gather.
 #[derive(Debug)]
@@ -24,7 +23,7 @@ pub struct LightSet {
     /// How many subsets there are; a point gathers one.
     pub subsets: u32,
     /// The bound on G, in normalised units.
-    pub bound: Option<f32>,
+    pub bounded: bool,
     /// The clusters whose visibility they share, if they do.
     pub columns: Option<Columns>,
 }
@@ -47,9 +46,13 @@ pub const VPL_BUFFER: &str = "vpls";
 ///
 /// # Errors
 /// The device refuses.
-pub fn table(prepared: &Prepared, lights: &[VirtualLight]) -> Result<wgpu::Buffer, GpuError> {
+pub fn table(
+    prepared: &Prepared,
+    lights: &[VirtualLight],
+    bound: Option<&GeometryBound>,
+) -> Result<wgpu::Buffer, GpuError> {
     let order: Vec<_> = (0..lights.len() as u32).map(Some).collect();
-    upload(prepared, "VPLs by bounces", lights, &order, 1.0)
+    upload(prepared, "VPLs by bounces", lights, &order, 1.0, bound)
 }
 
 impl LightSet {
@@ -61,19 +64,19 @@ impl LightSet {
         prepared: &Prepared,
         lights: &[VirtualLight],
         columns: Option<&VplClusters>,
-        bound: Option<f32>,
+        bound: Option<&GeometryBound>,
         subsets: u32,
     ) -> Result<Option<Self>, GpuError> {
         if lights.is_empty() {
             return Ok(None);
         }
         let order = deal(&curve(lights), subsets as usize);
-        let buffer = upload(prepared, "VPLs", lights, &order, subsets as f32)?;
+        let buffer = upload(prepared, "VPLs", lights, &order, subsets as f32, bound)?;
         let columns =
             columns.map(|clusters| Columns::new(prepared, clusters, &order)).transpose()?;
         let words = (order.len() / 32) as u32 / subsets;
         let (count, emitter) = (lights.len() as u32, Emitter::Surface);
-        Ok(Some(Self { emitter, count, words, subsets, buffer, bound, columns }))
+        Ok(Some(Self { emitter, count, words, subsets, buffer, bounded: bound.is_some(), columns }))
     }
 
     /// Uploads lights for direct light; none if there are none.
@@ -106,33 +109,10 @@ impl Columns {
         let of_vpls: Vec<u32> = vpls.iter().map(|vpl| vpl.map_or(0, of_vpl)).collect();
         Ok(Self {
             words: (order.len() / 32) as u32,
-            buffer: upload(prepared, "VPL clusters", &clusters.lights, &order, 1.0)?,
+            buffer: upload(prepared, "VPL clusters", &clusters.lights, &order, 1.0, None)?,
             of_vpls: prepared.gpu.texture_of("column_of", &of_vpls)?,
         })
     }
-}
-
-/// The order along a Morton curve, so that neighbours in a word are neighbours in space; first
-/// by the side that they face, as lights that face away from a point are skipped together.
-fn curve(lights: &[VirtualLight]) -> Vec<u32> {
-    let place = within(lights.iter().map(|light| light.position));
-    let mut order: Vec<u32> = (0..lights.len() as u32).collect();
-    order.sort_by_cached_key(|&index| {
-        let VirtualLight { position, normal, .. } = lights[index as usize];
-        let axis = normal.abs().max_position();
-        (2 * axis + usize::from(normal[axis] < 0.0), morton(place(position)), index)
-    });
-    order
-}
-
-/// Positions within [-2, 2] by their places among all, so that the cells of the curve, which decide
-/// what subsets lights are dealt to, fit the lights, and not the scene around them.
-fn within(positions: impl Iterator<Item = Vec3> + Clone) -> impl Fn(Vec3) -> Vec3 {
-    let low = positions.clone().fold(Vec3::INFINITY, Vec3::min);
-    let high = positions.fold(Vec3::NEG_INFINITY, Vec3::max);
-    let extent = (high - low).max_element().max(f32::MIN_POSITIVE);
-    // Neither middles nor quarters are on borders of cells, where rounding decides.
-    move |position| (position - low) / extent * 2.9 - 1.618_034
 }
 
 /// Deals an order out to subsets, so that each is spread along it, and fills each up to whole
@@ -156,6 +136,7 @@ fn upload(
     lights: &[VirtualLight],
     order: &[Option<u32>],
     scale: f32,
+    bound: Option<&GeometryBound>,
 ) -> Result<wgpu::Buffer, GpuError> {
     fn records<T: bytemuck::Pod>(
         lights: &[VirtualLight],
@@ -167,26 +148,28 @@ fn upload(
     }
     let gpu = &prepared.gpu;
     match prepared.features.phong {
-        true => gpu.storage_of(label, &records(lights, order, |light| glossy(light, scale))),
-        false => gpu.storage_of(label, &records(lights, order, |light| diffuse(light, scale))),
+        true => gpu.storage_of(label, &records(lights, order, |light| glossy(light, scale, bound))),
+        false => {
+            gpu.storage_of(label, &records(lights, order, |light| diffuse(light, scale, bound)))
+        }
     }
 }
 
-fn diffuse(light: &VirtualLight, scale: f32) -> VplRecord {
+fn diffuse(light: &VirtualLight, scale: f32, bound: Option<&GeometryBound>) -> VplRecord {
     let intensity = light.intensity * scale;
     VplRecord {
         position: light.position.to_array(),
         pad0: 0.0,
         normal: light.normal.to_array(),
-        pad1: 0.0,
+        bound: bound.map_or(0.0, |bound| bound.at(light.position, light.normal)),
         intensity: intensity.to_array(),
         mean: intensity.element_sum() / 3.0,
     }
 }
 
-fn glossy(light: &VirtualLight, scale: f32) -> GlossyVplRecord {
-    let VplRecord { position, normal, intensity, mean, .. } = diffuse(light, scale);
-    let plain = GlossyVplRecord { position, normal, intensity, mean, ..Zeroable::zeroed() };
+fn glossy(light: &VirtualLight, scale: f32, bound: Option<&GeometryBound>) -> GlossyVplRecord {
+    let VplRecord { position, normal, intensity, mean, bound, .. } = diffuse(light, scale, bound);
+    let plain = GlossyVplRecord { position, normal, intensity, mean, bound, ..Zeroable::zeroed() };
     let Some(GlossyLobe { specular, shininess, mirrored, .. }) = light.gloss else { return plain };
     let specular = specular * scale;
     GlossyVplRecord {
@@ -196,23 +179,5 @@ fn glossy(light: &VirtualLight, scale: f32) -> GlossyVplRecord {
         specular_mean: specular.element_sum() / 3.0,
         mirrored: mirrored.to_array(),
         ..plain
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_order_of_lights_does_not_depend_on_their_scale() {
-        let at = |i: u32, scale: f32| {
-            let [x, y, z] = [7, 11, 13].map(|prime| ((i * prime) % 31) as f32 / 15.0 - 1.0);
-            VirtualLight::diffuse(scale * Vec3::new(x, y, z), Vec3::Z, Vec3::ONE)
-        };
-        let order = |scale| curve(&(0..200).map(|i| at(i, scale)).collect::<Vec<_>>());
-        assert_eq!(order(1.0), order(0.53));
-        assert_ne!(order(1.0), (0..200).collect::<Vec<_>>());
-        // Lights in one place have no extent.
-        assert_eq!(curve(&[at(3, 1.0), at(3, 1.0)]), [0, 1]);
     }
 }

@@ -2,13 +2,19 @@
 
 use std::time::Instant;
 
-use super::bound;
+use super::bound::GeometryBound;
+use super::candidates::{candidates, keep};
+use super::sights::sights;
 use super::trace::{LightPaths, Vpl, truncated_fraction};
 use crate::render::clusters::VplClusters;
 use crate::render::plan::Plan;
-use crate::render::result::Tally;
+use crate::render::result::{Counts, Tally};
 use crate::render::settings::{Merge, Settings};
 use crate::render::virtual_light::VirtualLight;
+use crate::scene::Camera;
+
+/// Rays of the camera that tell what is seen.
+const SIGHTS: u32 = 1 << 16;
 
 /// The VPLs of a frame.
 #[derive(Debug)]
@@ -16,7 +22,7 @@ pub struct VplSet {
     /// What light paths have left.
     pub vpls: Vec<Vpl>,
     /// The bound on the geometry term in normalised units; none when it is off or there are no VPLs.
-    pub bound: Option<f32>,
+    pub bound: Option<GeometryBound>,
     /// The lights that stand for them: one each, or one for each cluster that merges its members.
     pub lights: Vec<VirtualLight>,
     /// Clusters whose visibility the lights share, if they do.
@@ -25,15 +31,23 @@ pub struct VplSet {
 
 impl VplSet {
     /// Traces the light paths that the settings ask for, and clusters what they leave.
-    pub fn trace(plan: &Plan, settings: &Settings, seed: u32, tally: &mut Tally) -> Self {
+    pub fn trace(
+        plan: &Plan,
+        camera: &Camera,
+        settings: &Settings,
+        seed: u32,
+        tally: &mut Tally,
+    ) -> Self {
         let Tally { phases, counts } = tally;
         let start = Instant::now();
-        let vpls = light_paths(plan, settings, seed);
+        let vpls = match settings.chooses_vpls() {
+            true => chosen(plan, camera, settings, seed, counts),
+            false => all(plan, settings, seed, counts),
+        };
         counts.vpls = vpls.len() as u64;
-        counts.truncated_fraction = truncated_fraction(&vpls, settings.bounces, &plan.scene);
-        let bound = bound::of(&plan.scene, settings, &vpls);
+        let bound = GeometryBound::of(&plan.scene, settings, &vpls);
         let scale = plan.scene.units.scale;
-        counts.clamp = bound.map(|bound| f64::from(bound) / (scale * scale));
+        counts.clamp = bound.as_ref().map(|bound| f64::from(bound.median(&vpls)) / (scale * scale));
         let lights: Vec<_> = vpls.iter().map(|vpl| vpl.light(&plan.scene)).collect();
         phases.vpls = start.elapsed();
         if !settings.method.clusters_vpls() {
@@ -64,18 +78,37 @@ impl VplSet {
     }
 }
 
-/// The VPLs that the settings ask for.
+/// All that light paths leave.
+fn all(plan: &Plan, settings: &Settings, seed: u32, counts: &mut Counts) -> Vec<Vpl> {
+    let vpls = light_paths(plan, settings, seed);
+    counts.light_paths =
+        if settings.method.traces_paths() { settings.light_paths.into() } else { 0 };
+    counts.truncated_fraction = truncated_fraction(&vpls, settings.bounces, &plan.scene);
+    vpls
+}
+
+/// Of what light paths leave that which the image needs.
+fn chosen(
+    plan: &Plan,
+    camera: &Camera,
+    settings: &Settings,
+    seed: u32,
+    counts: &mut Counts,
+) -> Vec<Vpl> {
+    let sights = sights(plan, camera, SIGHTS, seed);
+    let (candidates, paths) = candidates(plan, settings, seed, &sights);
+    counts.light_paths = paths.into();
+    counts.truncated_fraction = truncated_fraction(&candidates, settings.bounces, &plan.scene);
+    counts.vpl_candidates = Some(candidates.len() as u64);
+    let kept = keep(plan, settings, seed, &sights, &candidates);
+    counts.effective_vpls = Some(kept.effective);
+    kept.vpls
+}
+
+/// The VPLs that so many light paths leave as the settings ask for, all of them.
 pub fn light_paths(plan: &Plan, settings: &Settings, seed: u32) -> Vec<Vpl> {
-    if !settings.method.traces_paths() {
-        return Vec::new();
+    match settings.method.traces_paths() {
+        true => LightPaths::of(plan, settings, seed).trace(),
+        false => Vec::new(),
     }
-    LightPaths {
-        scene: &plan.scene,
-        bvh: &plan.bvh,
-        lights: &plan.lights,
-        count: settings.light_paths,
-        bounces: settings.bounces,
-        seed,
-    }
-    .trace()
 }

@@ -1,15 +1,18 @@
 //! Virtual point lights: light paths traced on the host (Keller, "Instant Radiosity", 1997).
 
 use std::f32::consts::PI;
+use std::ops::Range;
 
 use glam::Vec3;
 use rayon::prelude::*;
 
+use super::starts::Starts;
 use crate::bvh::{Bvh, Ray};
 use crate::render::lights::{Lights, Start};
 use crate::render::materials::bsdf::{self, ShadingPoint, TransportMode};
-use crate::render::materials::hit::Surface;
-use crate::render::settings::Bounces;
+use crate::render::materials::hit::{Facet, Surface};
+use crate::render::plan::Plan;
+use crate::render::settings::{Bounces, Settings};
 use crate::render::virtual_light::{GlossyLobe, VirtualLight};
 use crate::sampling::Sequence;
 use crate::scene::{Bsdf, Scene};
@@ -43,6 +46,11 @@ pub struct Vpl {
 }
 
 impl Vpl {
+    /// Where it is, and the way it faces.
+    pub fn facet(&self) -> Facet {
+        Facet { position: self.position, normal: self.normal }
+    }
+
     /// The light that the surface reflects.
     pub fn light(&self, scene: &Scene) -> VirtualLight {
         let gloss = match scene.materials[self.material as usize].bsdf {
@@ -68,7 +76,7 @@ pub struct LightPaths<'a> {
     pub bvh: &'a Bvh,
     /// Where paths start.
     pub lights: &'a Lights,
-    /// Paths launched.
+    /// Paths that are launched.
     pub count: u32,
     /// Hits that deposit.
     pub bounces: Bounces,
@@ -76,19 +84,38 @@ pub struct LightPaths<'a> {
     pub seed: u32,
 }
 
-impl LightPaths<'_> {
+impl<'a> LightPaths<'a> {
+    /// So many as the settings ask for.
+    pub fn of(plan: &'a Plan, settings: &Settings, seed: u32) -> Self {
+        let Plan { scene, bvh, lights, .. } = plan;
+        let Settings { light_paths: count, bounces, .. } = *settings;
+        Self { scene, bvh, lights, count, bounces, seed }
+    }
+
     /// Traces all paths. The order is that of the paths and their bounces, for any number of
     /// threads.
     pub fn trace(&self) -> Vec<Vpl> {
+        self.trace_from(None)
+    }
+
+    /// The same, of paths that start where it was learned that they count.
+    pub fn trace_from(&self, starts: Option<&Starts>) -> Vec<Vpl> {
+        let mut vpls = self.trace_some(0..self.count, starts);
+        divide(&mut vpls, self.count);
+        vpls
+    }
+
+    /// Some paths of the sequence, each with the flux of all: see [`divide`].
+    pub fn trace_some(&self, paths: Range<u32>, starts: Option<&Starts>) -> Vec<Vpl> {
         let sequence = Sequence::new(self.seed);
         let per_path: Vec<Vec<Vpl>> =
-            (0..self.count).into_par_iter().map(|path| self.trace_one(&sequence, path)).collect();
+            paths.into_par_iter().map(|path| self.trace_one(starts, &sequence, path)).collect();
         per_path.concat()
     }
 
-    fn trace_one(&self, sequence: &Sequence, path: u32) -> Vec<Vpl> {
+    fn trace_one(&self, starts: Option<&Starts>, sequence: &Sequence, path: u32) -> Vec<Vpl> {
         let mut vpls = Vec::new();
-        let Some((mut ray, mut flux)) = self.start(sequence, path) else { return vpls };
+        let Some((mut ray, mut flux)) = self.start(starts, sequence, path) else { return vpls };
         let (mut bounce, mut specular) = (0u32, 0u32);
         while !matches!(self.bounces, Bounces::Finite(most) if bounce >= most) {
             let Some(hit) = self.bvh.closest(&ray) else { break };
@@ -138,11 +165,26 @@ impl LightPaths<'_> {
     }
 
     /// The first segment of a path and its flux.
-    fn start(&self, sequence: &Sequence, path: u32) -> Option<(Ray, Vec3)> {
+    fn start(
+        &self,
+        starts: Option<&Starts>,
+        sequence: &Sequence,
+        path: u32,
+    ) -> Option<(Ray, Vec3)> {
         let draw = |dimension| sequence.sample(path, dimension);
-        let Start { ray, flux } = self.lights.start(self.scene, draw(0), [1, 2, 3, 4].map(draw))?;
-        Some((ray, flux / self.count as f32))
+        let (scene, lights, place) = (self.scene, self.lights, [1, 2, 3, 4].map(draw));
+        let Start { ray, flux } = match starts {
+            Some(starts) => starts.start(scene, lights, draw(0), place)?,
+            None => lights.start(scene, draw(0), place)?,
+        };
+        Some((ray, flux))
     }
+}
+
+/// Divides the light of all paths among so many.
+pub fn divide(vpls: &mut [Vpl], paths: u32) {
+    let share = 1.0 / paths as f32;
+    vpls.iter_mut().for_each(|vpl| vpl.flux *= share);
 }
 
 /// The share of the flux that reaches surfaces which light paths still carry when a finite number
@@ -159,55 +201,4 @@ pub fn truncated_fraction(vpls: &[Vpl], bounces: Bounces, scene: &Scene) -> Opti
     let carried: f64 =
         of_bounce(last).map(|vpl| mean(vpl.flux * (vpl.albedo + specular(vpl)))).sum();
     (reached > 0.0).then(|| carried / reached)
-}
-
-/// The bound on G of the default clamp: no VPL alone gives more irradiance than an eighth of
-/// the mean exitance that it stands for, b = π / (8 a), with a the area of one VPL, from the
-/// median squared distance to the k-th nearest VPL: a = π r² / k. `None` without VPLs.
-///
-/// The eighth was measured. Error of the indirect light (nRMSE, and of means of tiles; B = 2,
-/// two seeds, Cornell boxes lit from above and by a light that faces the ceiling) by the
-/// factor in front of π / a:
-///
-/// | paths | | 1 | 1/2 | 1/4 | 1/8 | 1/16 |
-/// | --- | --- | --- | --- | --- | --- | --- |
-/// | 2000 | lit from above | .171 | .149 | .134 | .126 | .125 |
-/// | | tiles | .092 | .089 | .086 | .086 | .090 |
-/// | | energy clamped | .2 % | .4 % | .6 % | .9 % | 1.4 % |
-/// | 2000 | lit upwards | .211 | .186 | .159 | .143 | .139 |
-/// | | tiles | .090 | .087 | .082 | .078 | .078 |
-/// | | energy clamped | .1 % | .2 % | .5 % | .8 % | 1.1 % |
-/// | 8000 | lit from above | .119 | .104 | .097 | .093 | .093 |
-/// | | tiles | .046 | .046 | .046 | .048 | .053 |
-pub fn density_bound(vpls: &[Vpl], scene: &Scene) -> Option<f32> {
-    const NEIGHBOUR: usize = 8;
-    const SHARE: f32 = 1.0 / 8.0;
-    /// Enough for a median to a few per cent.
-    const QUERIES: usize = 1024;
-    if vpls.is_empty() {
-        return None;
-    }
-    let k = NEIGHBOUR.min(vpls.len() - 1);
-    let stride = vpls.len().div_ceil(QUERIES);
-    let mut squares: Vec<f32> = vpls
-        .par_iter()
-        .step_by(stride)
-        .map(|vpl| {
-            let mut others: Vec<f32> =
-                vpls.iter().map(|o| o.position.distance_squared(vpl.position)).collect();
-            // The nearest is the VPL itself.
-            *others.select_nth_unstable_by(k, f32::total_cmp).1
-        })
-        .collect();
-    let middle = squares.len() / 2;
-    let median = *squares.select_nth_unstable_by(middle, f32::total_cmp).1;
-    let area = if median > 0.0 {
-        PI * median / k as f32
-    } else {
-        // One VPL, or all at one place: they share the whole surface.
-        let spheres = scene.spheres.iter().map(|sphere| 4.0 * PI * sphere.radius.powi(2));
-        let areas = scene.triangles.iter().map(|triangle| triangle.area()).chain(spheres);
-        areas.sum::<f32>() / vpls.len() as f32
-    };
-    Some(SHARE * PI / area)
 }
