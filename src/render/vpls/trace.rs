@@ -105,7 +105,7 @@ impl<'a> LightPaths<'a> {
         vpls
     }
 
-    /// Some paths of the sequence, each with the flux of all: see [`divide`].
+    /// Some paths of the sequence, each with the flux of all: it is to be divided by their number.
     pub fn trace_some(&self, paths: Range<u32>, starts: Option<&Starts>) -> Vec<Vpl> {
         let sequence = Sequence::new(self.seed);
         let per_path: Vec<Vec<Vpl>> =
