@@ -20,7 +20,8 @@
 //!    scene. [`render::frame`] does the rest; `src/render.rs` lists its steps in their order, and
 //!    each step lies in the room of `src/render/` that bears its name, its shaders in the folder
 //!    of `shaders/` of the same name:
-//! 4. **VPLs** (`vpls`): the host traces light paths; each hit deposits a virtual point light.
+//! 4. **VPLs** (`vpls`): the host traces light paths; each hit deposits a virtual point light. Of
+//!    many those are kept, by chance, that the image needs: rays from the camera's side tell which.
 //! 5. **Visible points** (`camera`): camera rays, for each sample of every pixel of a tile; they go
 //!    on at mirrors and glass. A few more rays of each pixel find what is thinner than a pixel, for
 //!    which some visible points make room.
@@ -82,7 +83,7 @@
 //! render::prepared       a scene on a device: what is done once
 //! render::stage          a kernel with its buffers
 //! render::clusters       clusters of visible points and of VPLs
-//! render::vpls           light paths and what they leave
+//! render::vpls           light paths, what they leave, and which of it the image needs
 //! render::camera         tiles, camera rays, the film
 //! render::visibility     shadow rays between points and many lights
 //! render::gather         light of many lights at visible points, combined over pixels
