@@ -108,9 +108,10 @@ impl<'a> LightPaths<'a> {
     /// Some paths of the sequence, each with the flux of all: it is to be divided by their number.
     pub fn trace_some(&self, paths: Range<u32>, starts: Option<&Starts>) -> Vec<Vpl> {
         let sequence = Sequence::new(self.seed);
-        let per_path: Vec<Vec<Vpl>> =
-            paths.into_par_iter().map(|path| self.trace_one(starts, &sequence, path)).collect();
-        per_path.concat()
+        paths
+            .into_par_iter()
+            .flat_map_iter(|path| self.trace_one(starts, &sequence, path))
+            .collect()
     }
 
     fn trace_one(&self, starts: Option<&Starts>, sequence: &Sequence, path: u32) -> Vec<Vpl> {
