@@ -17,7 +17,7 @@ pub use dispatch::Dispatch;
 pub use error::GpuError;
 pub use kernel::{Bindings, Kernel};
 pub use layout::{
-    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DeltaLightRecord,
+    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, CorrectParams, DeltaLightRecord,
     DirectParams, DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
     InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord, PathParams, PathRecord,
     PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord, SpotLightRecord,

@@ -23,6 +23,11 @@ fn load_seen(own: Rows, word: u32) -> Seen {
     return Seen(vec4u(bits[at.x], bits[at.y], bits[at.z], bits[at.w]), own.weights);
 }
 
+// As if every row saw every VPL.
+fn seen_from_everywhere(own: Rows) -> Seen {
+    return Seen(vec4u(0xffffffffu), own.weights);
+}
+
 // The value times the share of the weights that see the VPL.
 fn shown(value: vec2f, seen: Seen, bit: u32) -> vec2f {
     let share = select(vec4f(0.0), seen.weights, (seen.bits & vec4u(bit)) != vec4u(0u));

@@ -7,6 +7,11 @@ fn load_seen(row: Rows, word: u32) -> Seen {
     return bits[word * params.rows + row];
 }
 
+// As if the row saw every VPL.
+fn seen_from_everywhere(row: Rows) -> Seen {
+    return 0xffffffffu;
+}
+
 // The value for a VPL that is seen, 0 for one that is not.
 fn shown(value: vec2f, seen: Seen, bit: u32) -> vec2f {
     return select(vec2f(0.0), value, (seen & bit) != 0u);

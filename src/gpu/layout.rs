@@ -10,7 +10,7 @@ pub use lights::{
     PointLightRecord, SphereLightRecord, SpotLightRecord, VplRecord,
 };
 pub use params::{
-    ArrivalRecord, CameraParams, CompensatedParams, DirectParams, ExpandParams, FilterParams,
+    ArrivalRecord, CameraParams, CompensatedParams, CorrectParams, DirectParams, ExpandParams, FilterParams,
     GuideParams, InterleaveParams, PathParams, PathRecord, PathSum, ShadeParams, StartParams,
     VisibilityParams,
 };

@@ -118,7 +118,7 @@ impl<'a> Steps<'a> {
         for (emitter, lights) in kinds {
             if let Some(lights) = LightSet::direct(prepared, emitter, &lights)? {
                 let points = tiling.most_points();
-                gathers.push(Gather::new(prepared, lights, Some(clusters), &named, points)?);
+                gathers.push(Gather::new(prepared, lights, Some(clusters), &named, points, None)?);
             }
         }
         Ok(gathers)
@@ -210,7 +210,7 @@ impl<'a> Steps<'a> {
             irradiance.clear(prepared)?;
             let mut own = Phases::default();
             for direct in &lights.direct {
-                direct.gather(tile.points(), &mut own, &|share| progress(share, "direct light"))?;
+                direct.gather(tile, tile.points(), &mut own, &|share| progress(share, "direct light"))?;
             }
             tally.phases.direct += own.render() + irradiance.reflect(prepared, tile)?;
         }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::camera::{FrameSetup, Tile, TileBuffers};
 use super::clusters::PointClusters;
 use super::compensation::Compensation;
-use super::gather::{ClampedEnergy, Gather, Interleave, Irradiance};
+use super::gather::{Corrections, ClampedEnergy, Gather, Interleave, Irradiance};
 use super::prepared::Prepared;
 use super::result::{Phases, Progress, Tally};
 use super::stage::Named;
@@ -88,8 +88,10 @@ impl<'a> IndirectLight<'a> {
         let subsets: Vec<Named<'_>> = interleave.iter().flat_map(Interleave::named).collect();
         let most = interleave.as_ref().map(|interleave| interleave.most_points(&tiling));
         let most = most.unwrap_or(tiling.most_points());
+        let corrections =
+            settings.corrects().then(|| Corrections { rays: settings.correct, seed });
         let gather =
-            Gather::new(prepared, lights, clusters, &[&subsets[..], &named].concat(), most)?;
+            Gather::new(prepared, lights, clusters, &[&subsets[..], &named].concat(), most, corrections)?;
         Ok(Some(Self { prepared, gather, interleave, clamped, compensation, compensated }))
     }
 
@@ -153,12 +155,12 @@ impl<'a> IndirectLight<'a> {
                 self.compensate(tile, phases, progress)?;
                 phases.shading += interleave.split(prepared, tile)?;
                 let points = interleave.subsets(tile).points();
-                counts.shadow_rays += self.gather.gather(points, phases, &show)?;
+                counts.shadow_rays += self.gather.gather(tile, points, phases, &show)?;
                 phases.shading += interleave.join(prepared, tile)?;
             }
             None => {
                 irradiance.clear(prepared)?;
-                counts.shadow_rays += self.gather.gather(tile.points(), phases, &show)?;
+                counts.shadow_rays += self.gather.gather(tile, tile.points(), phases, &show)?;
             }
         }
         if let Some(clamped) = &self.clamped {

@@ -169,6 +169,8 @@ pub struct Settings {
     pub clamp: Clamp,
     /// Whether what the bound removes is given back by short paths (Kollig and Keller 2004).
     pub compensate: bool,
+    /// Shadow rays of each visible point that correct what it shares of the visibility of VPLs; 0 is none.
+    pub correct: u32,
     /// Samples (visible points) per pixel; paths, where there are paths.
     pub samples: u32,
     /// Camera rays over all samples of a pixel around which surfaces of unlike radiance meet; others
@@ -236,6 +238,7 @@ impl Settings {
             direct_filter: true,
             clamp: Clamp::Auto,
             compensate: false,
+            correct: 0,
             samples: if method == Method::Path { 16 } else { 1 },
             edge_samples: 16,
             clustering: Clustering::default(),
@@ -264,6 +267,12 @@ impl Settings {
     /// Whether there is something to give back of what the bound on G removes.
     pub fn compensates(&self) -> bool {
         self.compensate && self.traces_light_paths() && self.clamp != Clamp::Off
+    }
+
+    /// Whether shared visibility is corrected.
+    pub fn corrects(&self) -> bool {
+        let shares = self.method.clusters_points() || self.shares_columns();
+        self.correct > 0 && self.traces_light_paths() && shares
     }
 
     /// Whether VPLs share the visibility of their cluster.

@@ -8,7 +8,7 @@ use std::mem::offset_of;
 
 use gpu_vpl::bvh::{WideChild, WideNode};
 use gpu_vpl::gpu::{
-    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, DeltaLightRecord,
+    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, CorrectParams, DeltaLightRecord,
     DirectParams, DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
     InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord, PathParams, PathRecord,
     PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord, SpotLightRecord,
@@ -129,6 +129,9 @@ fn records() -> Vec<Record> {
         record!(ExpandParams as "ExpandParams" { rows, matrix_word, words, pad }),
         record!(ShadeParams as "ShadeParams" {
             points, rows, matrix_word, words, first_point, pad,
+        }),
+        record!(CorrectParams as "CorrectParams" {
+            points, rows, matrix_word, words, first_point, rays, first_ray, seed, offset, nodes, pad,
         }),
         record!(PathRecord as "Path" { throughput, stream }),
         record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),

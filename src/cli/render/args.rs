@@ -86,6 +86,10 @@ pub struct RenderArgs {
           action = clap::ArgAction::Set)]
     pub compensate: bool,
 
+    /// Shadow rays of each visible point that correct what it shares of the visibility of VPLs
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub correct: u32,
+
     /// Take the noise away by Intel's Open Image Denoise: of all light with path, else of direct
     /// light, as VPLs leave no noise of the kind. Needs its library, version 2: the file or
     /// folder that $OIDN_LIBRARY names, else where the system finds it
@@ -202,6 +206,7 @@ impl RenderArgs {
             direct_filter: self.direct_filter,
             clamp: self.clamp,
             compensate: self.compensate,
+            correct: self.correct,
             samples: self.samples.unwrap_or(defaults.samples),
             edge_samples: self.edge_samples,
             clustering: self.clustering.settings(),

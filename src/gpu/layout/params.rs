@@ -213,6 +213,34 @@ pub struct ShadeParams {
     pub pad: [u32; 3],
 }
 
+/// Parameters of the stage that corrects shared visibility.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct CorrectParams {
+    /// Points whose visibility is corrected.
+    pub points: u32,
+    /// Rows of the bit matrix.
+    pub rows: u32,
+    /// The word of the VPL buffer that is the matrix's first.
+    pub matrix_word: u32,
+    /// Words in the matrix.
+    pub words: u32,
+    /// The first of the points.
+    pub first_point: u32,
+    /// Rays of each point.
+    pub rays: u32,
+    /// The first of them in the sequence of its point.
+    pub first_ray: u32,
+    /// Seed of the tile.
+    pub seed: u32,
+    /// Distance by which shadow rays are kept off surfaces.
+    pub offset: f32,
+    /// Number of BVH nodes.
+    pub nodes: u32,
+    /// Unused.
+    pub pad: [u32; 2],
+}
+
 /// What a path from the camera carries, 16 bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]

@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use super::interleave::Subsets;
-use crate::gpu::{ExpandParams, GpuError, ShadeParams, TableFormat, Texture, VisibilityParams};
+use crate::gpu::{CorrectParams, ExpandParams, GpuError, ShadeParams, TableFormat, Texture, VisibilityParams};
 use crate::render::clusters::PointClusters;
 use crate::render::kernels;
 use crate::render::prepared::Prepared;
@@ -13,10 +13,14 @@ use crate::render::result::Phases;
 use crate::render::settings::Sharing;
 use crate::render::stage::{Named, Stage};
 use crate::render::visibility::{LightSet, Tracer};
+use crate::render::camera::Tile;
+use crate::sampling::{SURFACE_OFFSET, hash};
 
 /// Words of 32 VPLs in a chunk of the bit matrix: 8 MiB for a tile's points. Also fixes the
 /// order of the sums, so it is no matter of tuning.
 const CHUNK_WORDS: u32 = 32;
+/// Keeps the random numbers of corrections apart from those of other stages.
+const CORRECTIONS: u32 = 0x636f_7272;
 /// Words of the bit matrix in a longer chunk, at most: 64 MiB.
 const MATRIX_WORDS: u32 = 1 << 24;
 
@@ -51,6 +55,17 @@ struct Chunk {
     /// Traces its bits, or copies them from the columns.
     fill: Stage,
     shade: Stage,
+    /// Corrects what was shared, if that is asked for.
+    correct: Option<Stage>,
+}
+
+/// Shadow rays that correct shared visibility.
+#[derive(Debug, Clone, Copy)]
+pub struct Corrections {
+    /// Of each visible point.
+    pub rays: u32,
+    /// The seed of the frame.
+    pub seed: u32,
 }
 
 /// Gathers the light of a set of lights.
@@ -66,6 +81,7 @@ pub struct Gather<'a> {
     /// Words of each of them, at most.
     chunk_words: u32,
     tracer: Tracer<'a>,
+    corrections: Option<Corrections>,
 }
 
 /// The columns of the bit matrix that VPLs share.
@@ -102,6 +118,7 @@ impl<'a> Gather<'a> {
         clusters: Option<&PointClusters>,
         tile: &[Named<'_>],
         points: u32,
+        corrections: Option<Corrections>,
     ) -> Result<Self, GpuError> {
         let gpu = &prepared.gpu;
         let tracer = Tracer::new(prepared, lights.words * lights.subsets)?;
@@ -115,6 +132,7 @@ impl<'a> Gather<'a> {
         };
         let (target, bounded) = (prepared.target(), lights.bounded);
         let shade = kernels::shade(target, bounded, sharing, lights.emitter);
+        let correct = kernels::correct(target, bounded, sharing);
         let (rows, rows_count) = match clusters {
             None => (Rows::Points, points),
             Some(clusters) => {
@@ -175,8 +193,10 @@ impl<'a> Gather<'a> {
                     tracer.stage(lights.emitter, &buffers)?
                 }
             };
-            let shade = Stage::new(prepared, &shade, &[&[bits], &shading[..]].concat())?;
-            Ok::<_, GpuError>(Chunk { fill, shade })
+            let named = [&[bits], &shading[..]].concat();
+            let shade = Stage::new(prepared, &shade, &named)?;
+            let correct = corrections.map(|_| Stage::new(prepared, &correct, &named)).transpose()?;
+            Ok::<_, GpuError>(Chunk { fill, shade, correct })
         };
         let chunk_words = chunk_words(lights.words, rows_count);
         let chunks = match clusters {
@@ -185,7 +205,7 @@ impl<'a> Gather<'a> {
                 runs(&lights, chunk_words).map(|run| chunk(run.words)).collect::<Result<_, _>>()?
             }
         };
-        Ok(Self { prepared, lights, rows, columns, chunks, chunk_words, tracer })
+        Ok(Self { prepared, lights, rows, columns, chunks, chunk_words, tracer, corrections })
     }
 
     /// Traces the rows of the clusters, once a frame; nothing for points. Returns the rays.
@@ -244,6 +264,7 @@ impl<'a> Gather<'a> {
     /// The device fails.
     pub fn gather(
         &self,
+        tile: Tile,
         points: u32,
         phases: &mut Phases,
         progress: &dyn Fn(f64),
@@ -275,6 +296,24 @@ impl<'a> Gather<'a> {
             let lane = if self.prepared.gpu.has_subgroups() { 4 } else { 1 };
             let groups = [points.div_ceil(64 * lane), 1];
             phases.shading += chunk.shade.run(self.prepared, &params, groups)?;
+            if let (Some(correct), Some(corrections)) = (&chunk.correct, self.corrections) {
+                let Corrections { rays: each, seed } = corrections;
+                let params = CorrectParams {
+                    points,
+                    rows,
+                    matrix_word: run.first_word,
+                    words: run.words,
+                    first_point,
+                    rays: each,
+                    first_ray: tile.sample * each,
+                    seed: hash(hash(seed ^ CORRECTIONS) ^ hash(tile.first_block) ^ run.first_word),
+                    offset: SURFACE_OFFSET,
+                    nodes: self.prepared.bvh.nodes.len() as u32,
+                    pad: [0; 2],
+                };
+                phases.visibility += correct.run(self.prepared, &params, [points.div_ceil(64), 1])?;
+                rays += u64::from(points * each);
+            }
         }
         Ok(rays)
     }

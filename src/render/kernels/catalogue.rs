@@ -222,6 +222,8 @@ modules! {
     GATHER_PARAMS = "gather/params" for "gathering of lights";
     SHADE = "gather/shade" for "gathering of lights";
     SHADE_COOPERATIVE = "gather/shade_cooperative" for "gathering of lights";
+    CORRECT_PARAMS = "gather/correct_params" for "corrected visibility";
+    CORRECT = "gather/correct" for "corrected visibility";
     PAIR_DIFFUSE = "gather/pair_diffuse";
     PAIR_GLOSSY = "gather/pair_glossy" for "phong";
     SHADE_GLOSSY = "gather/shade_glossy" for "phong";

@@ -1,14 +1,15 @@
 //! The programs that gather the light of many lights, and combine it over pixels.
 
 use super::catalogue::{
-    BSDF, CLAMPED_ENERGY, COMPENSATION_ADDED, COMPENSATION_NONE, DISCONTINUITY_BUFFER,
+    BSDF, CLAMPED_ENERGY, COMPENSATION_ADDED, COMPENSATION_NONE, CORRECT, CORRECT_PARAMS, DISCONTINUITY_BUFFER, EMITTER_SURFACE,
     GATHER_PARAMS, JOIN_SUBSETS, LIGHT_TABLE, LIGHT_TO_POINTS, LIGHT_TO_TABLE, ONE_SURFACE,
     PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PIXELS, REFLECT, ROW_CLUSTER,
-    ROW_POINT, SEEN_FUZZY, SEEN_HARD, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE,
+    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE,
     SIGNATURE_PROBED, SPLIT_SUBSETS, SUBSETS, SURFACE_LOBE_CODE, SURFACE_LOBED, SURFACE_PLAIN,
-    TABLE, TYPES,
+    TABLE, TYPES, VIEW_DIRECTION,
 };
 use super::materials::{albedo, gathered, lobes};
+use super::trace::rays;
 use super::visibility::{Emitter, vpl};
 use crate::gpu::{Module, Program};
 use crate::render::features::Target;
@@ -67,11 +68,7 @@ pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) 
     let bound = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
     let mut modules = [&[&TYPES, vpl(target)][..], &lobes(target)].concat();
     modules.extend([bound, emitter.module(), &GATHER_PARAMS]);
-    match sharing {
-        Sharing::Own => modules.extend([&SEEN_HARD, &ROW_POINT]),
-        Sharing::Cluster => modules.extend([&SEEN_HARD, &ROW_CLUSTER]),
-        Sharing::Fuzzy => modules.push(&SEEN_FUZZY),
-    }
+    modules.extend(rows(sharing));
     let glossy = target.features.phong;
     modules.push(if glossy { &PAIR_GLOSSY } else { &PAIR_DIFFUSE });
     modules.push(match target.subgroups {
@@ -80,6 +77,28 @@ pub fn shade(target: Target, bounded: bool, sharing: Sharing, emitter: Emitter) 
         false => &SHADE,
     });
     Program::new("shading", modules)
+}
+
+/// Whose rows of the bit matrix a point reads.
+fn rows(sharing: Sharing) -> Vec<&'static Module> {
+    match sharing {
+        Sharing::Own => vec![&SEEN_HARD, &ROW_POINT],
+        Sharing::Cluster => vec![&SEEN_HARD, &ROW_CLUSTER],
+        Sharing::Fuzzy => vec![&SEEN_FUZZY],
+    }
+}
+
+/// Rays that correct what points share of the visibility of VPLs.
+pub fn correct(target: Target, bounded: bool, sharing: Sharing) -> Program {
+    let bound = if bounded { &PAIR_BOUNDED } else { &PAIR_UNBOUNDED };
+    let pair = if target.features.phong { &PAIR_GLOSSY } else { &PAIR_DIFFUSE };
+    let mut modules: Vec<&Module> = vec![&TYPES, &SAMPLING, &VIEW_DIRECTION];
+    modules.extend(lobes(target));
+    modules.extend(rays(target));
+    modules.extend([vpl(target), bound, &EMITTER_SURFACE, &CORRECT_PARAMS]);
+    modules.extend(rows(sharing));
+    modules.extend([pair, &CORRECT]);
+    Program::new("correction", modules)
 }
 
 /// What visible points have gathered to reflected radiance.

@@ -50,6 +50,9 @@ impl Plan {
             ]);
             let combined = settings.compensates() && settings.interleaves();
             programs.extend(bounded.then(|| clamped_energy(target, combined)));
+            if settings.corrects() {
+                programs.push(kernels::correct(target, bounded, settings.sharing()));
+            }
             if settings.shares_columns() {
                 programs.extend([pack_columns(), expand()]);
             }
