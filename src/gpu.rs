@@ -17,11 +17,11 @@ pub use dispatch::Dispatch;
 pub use error::GpuError;
 pub use kernel::{Bindings, Kernel};
 pub use layout::{
-    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, CorrectParams, DeltaLightRecord,
-    DirectParams, DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
-    InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord, PathParams, PathRecord,
-    PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord, SpotLightRecord,
-    StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
+    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, CorrectParams,
+    DeltaLightRecord, DirectParams, DirectionalLightRecord, ExpandParams, FilterParams,
+    GlossyVplRecord, GuideParams, InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord,
+    PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord,
+    SpotLightRecord, StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 pub use shader::{Linked, Module, Program};
 pub use texture::{TableFormat, Texture};

@@ -103,6 +103,16 @@ pub fn light_samples(text: &str) -> Result<LightSamples, String> {
     Ok(LightSamples(Some(count)))
 }
 
+/// Rays that correct shared visibility; off is none.
+pub fn corrections(text: &str) -> Result<u32, String> {
+    if text == "off" {
+        return Ok(0);
+    }
+    let most = Settings::MOST_CORRECTIONS;
+    let count = text.parse().ok().filter(|count| (1..=most).contains(count));
+    count.ok_or_else(|| format!("give a number from 1 to {most}, or off"))
+}
+
 pub fn switch(text: &str) -> Result<bool, String> {
     match text {
         "on" => Ok(true),

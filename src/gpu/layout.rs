@@ -10,9 +10,9 @@ pub use lights::{
     PointLightRecord, SphereLightRecord, SpotLightRecord, VplRecord,
 };
 pub use params::{
-    ArrivalRecord, CameraParams, CompensatedParams, CorrectParams, DirectParams, ExpandParams, FilterParams,
-    GuideParams, InterleaveParams, PathParams, PathRecord, PathSum, ShadeParams, StartParams,
-    VisibilityParams,
+    ArrivalRecord, CameraParams, CompensatedParams, CorrectParams, DirectParams, ExpandParams,
+    FilterParams, GuideParams, InterleaveParams, PathParams, PathRecord, PathSum, ShadeParams,
+    StartParams, VisibilityParams,
 };
 pub use scene::{
     BsdfRecord, MaterialRecord, NodeRecord, PointRecord, TextureRecord, TriangleRecord,

@@ -210,7 +210,9 @@ impl<'a> Steps<'a> {
             irradiance.clear(prepared)?;
             let mut own = Phases::default();
             for direct in &lights.direct {
-                direct.gather(tile, tile.points(), &mut own, &|share| progress(share, "direct light"))?;
+                direct.gather(tile, tile.points(), &mut own, &|share| {
+                    progress(share, "direct light")
+                })?;
             }
             tally.phases.direct += own.render() + irradiance.reflect(prepared, tile)?;
         }

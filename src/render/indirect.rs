@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::camera::{FrameSetup, Tile, TileBuffers};
 use super::clusters::PointClusters;
 use super::compensation::Compensation;
-use super::gather::{Corrections, ClampedEnergy, Gather, Interleave, Irradiance};
+use super::gather::{ClampedEnergy, Corrections, Gather, Interleave, Irradiance};
 use super::prepared::Prepared;
 use super::result::{Phases, Progress, Tally};
 use super::stage::Named;
@@ -88,10 +88,15 @@ impl<'a> IndirectLight<'a> {
         let subsets: Vec<Named<'_>> = interleave.iter().flat_map(Interleave::named).collect();
         let most = interleave.as_ref().map(|interleave| interleave.most_points(&tiling));
         let most = most.unwrap_or(tiling.most_points());
-        let corrections =
-            settings.corrects().then(|| Corrections { rays: settings.correct, seed });
-        let gather =
-            Gather::new(prepared, lights, clusters, &[&subsets[..], &named].concat(), most, corrections)?;
+        let corrections = settings.corrects().then(|| Corrections { rays: settings.correct, seed });
+        let gather = Gather::new(
+            prepared,
+            lights,
+            clusters,
+            &[&subsets[..], &named].concat(),
+            most,
+            corrections,
+        )?;
         Ok(Some(Self { prepared, gather, interleave, clamped, compensation, compensated }))
     }
 

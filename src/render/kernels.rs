@@ -27,8 +27,8 @@ pub use direct::{
     LightRays, direct_exact, direct_lobe_rays, direct_sampled, filter_guide, filter_level, guide,
     guide_pilot, guide_unshadowed, pack_light, pack_surfaces, ray_counts,
 };
-pub use gather::{correct, 
-    clamped_energy, discontinuity_buffer, join_subsets, reflect, shade, split_subsets,
+pub use gather::{
+    clamped_energy, correct, discontinuity_buffer, join_subsets, reflect, shade, split_subsets,
 };
 use lights::has_kind;
 use literals::Literals;

@@ -251,6 +251,8 @@ impl Settings {
 impl Settings {
     /// Candidates for a VPL, at most.
     pub const MOST_CANDIDATES: u32 = 64;
+    /// Rays that correct what a visible point shares, at most.
+    pub const MOST_CORRECTIONS: u32 = 256;
     /// A pixel combines with those up to one block of 8 × 8 away.
     pub const MOST_INTERLEAVE: u32 = 8;
 

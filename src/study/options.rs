@@ -41,6 +41,7 @@ fn values(settings: &Settings) -> Vec<(&'static str, String)> {
         ("light-samples", settings.light_samples.and_then(|count| number(method.is_lit(), count))),
         ("direct-filter", filter.then(|| "off".to_owned())),
         ("clamp", gathers.then(|| clamp(settings.clamp))),
+        ("correct", number(settings.corrects(), settings.correct)),
         ("compensate", settings.compensates().then(String::new)),
         ("edge-samples", number(edges, settings.edge_samples)),
     ]

@@ -7,5 +7,6 @@ mod common;
 mod closed_forms;
 mod compensation;
 mod convergence;
+mod correct;
 mod starts;
 mod vpls;

@@ -8,11 +8,11 @@ use std::mem::offset_of;
 
 use gpu_vpl::bvh::{WideChild, WideNode};
 use gpu_vpl::gpu::{
-    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, CorrectParams, DeltaLightRecord,
-    DirectParams, DirectionalLightRecord, ExpandParams, FilterParams, GlossyVplRecord, GuideParams,
-    InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord, PathParams, PathRecord,
-    PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord, SpotLightRecord,
-    StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
+    AreaLightRecord, ArrivalRecord, BsdfRecord, CameraParams, CompensatedParams, CorrectParams,
+    DeltaLightRecord, DirectParams, DirectionalLightRecord, ExpandParams, FilterParams,
+    GlossyVplRecord, GuideParams, InterleaveParams, LightStratumRecord, MaterialRecord, NodeRecord,
+    PathParams, PathRecord, PathSum, PointLightRecord, PointRecord, ShadeParams, SphereLightRecord,
+    SpotLightRecord, StartParams, TextureRecord, TriangleRecord, VisibilityParams, VplRecord,
 };
 use gpu_vpl::render::all_programs;
 use naga::{ScalarKind, TypeInner};

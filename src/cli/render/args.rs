@@ -86,8 +86,10 @@ pub struct RenderArgs {
           action = clap::ArgAction::Set)]
     pub compensate: bool,
 
-    /// Shadow rays of each visible point that correct what it shares of the visibility of VPLs
-    #[arg(long, value_name = "K", default_value_t = 0)]
+    /// Shadow rays of each visible point, up to 256, that correct what it shares of the visibility of
+    /// VPLs, where that is likely to be wrong: no bias of clusters, for some noise and time. Nothing where
+    /// nothing is shared
+    #[arg(long, value_name = "K|off", default_value = "off", value_parser = parse::corrections)]
     pub correct: u32,
 
     /// Take the noise away by Intel's Open Image Denoise: of all light with path, else of direct

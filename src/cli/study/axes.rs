@@ -33,6 +33,7 @@ const NAMES: [&str; 21] = [
     "light-samples",
     "clamp",
     "compensate",
+    "correct",
     "edge-samples",
 ];
 

@@ -5,7 +5,10 @@
 use std::ops::Range;
 
 use super::interleave::Subsets;
-use crate::gpu::{CorrectParams, ExpandParams, GpuError, ShadeParams, TableFormat, Texture, VisibilityParams};
+use crate::gpu::{
+    CorrectParams, ExpandParams, GpuError, ShadeParams, TableFormat, Texture, VisibilityParams,
+};
+use crate::render::camera::Tile;
 use crate::render::clusters::PointClusters;
 use crate::render::kernels;
 use crate::render::prepared::Prepared;
@@ -13,7 +16,6 @@ use crate::render::result::Phases;
 use crate::render::settings::Sharing;
 use crate::render::stage::{Named, Stage};
 use crate::render::visibility::{LightSet, Tracer};
-use crate::render::camera::Tile;
 use crate::sampling::{SURFACE_OFFSET, hash};
 
 /// Words of 32 VPLs in a chunk of the bit matrix: 8 MiB for a tile's points. Also fixes the
@@ -195,7 +197,8 @@ impl<'a> Gather<'a> {
             };
             let named = [&[bits], &shading[..]].concat();
             let shade = Stage::new(prepared, &shade, &named)?;
-            let correct = corrections.map(|_| Stage::new(prepared, &correct, &named)).transpose()?;
+            let correct =
+                corrections.map(|_| Stage::new(prepared, &correct, &named)).transpose()?;
             Ok::<_, GpuError>(Chunk { fill, shade, correct })
         };
         let chunk_words = chunk_words(lights.words, rows_count);
@@ -311,7 +314,8 @@ impl<'a> Gather<'a> {
                     nodes: self.prepared.bvh.nodes.len() as u32,
                     pad: [0; 2],
                 };
-                phases.visibility += correct.run(self.prepared, &params, [points.div_ceil(64), 1])?;
+                phases.visibility +=
+                    correct.run(self.prepared, &params, [points.div_ceil(64), 1])?;
                 rays += u64::from(points * each);
             }
         }

@@ -223,6 +223,9 @@ modules! {
     SHADE = "gather/shade" for "gathering of lights";
     SHADE_COOPERATIVE = "gather/shade_cooperative" for "gathering of lights";
     CORRECT_PARAMS = "gather/correct_params" for "corrected visibility";
+    CORRECT_DRAW = "gather/correct_draw" for "corrected visibility";
+    CORRECT_EACH = "gather/correct_each" for "corrected visibility";
+    CORRECT_COOPERATIVE = "gather/correct_cooperative" for "corrected visibility";
     CORRECT = "gather/correct" for "corrected visibility";
     PAIR_DIFFUSE = "gather/pair_diffuse";
     PAIR_GLOSSY = "gather/pair_glossy" for "phong";

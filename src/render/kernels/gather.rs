@@ -1,12 +1,13 @@
 //! The programs that gather the light of many lights, and combine it over pixels.
 
 use super::catalogue::{
-    BSDF, CLAMPED_ENERGY, COMPENSATION_ADDED, COMPENSATION_NONE, CORRECT, CORRECT_PARAMS, DISCONTINUITY_BUFFER, EMITTER_SURFACE,
+    BSDF, CLAMPED_ENERGY, COMPENSATION_ADDED, COMPENSATION_NONE, CORRECT, CORRECT_COOPERATIVE,
+    CORRECT_DRAW, CORRECT_EACH, CORRECT_PARAMS, DISCONTINUITY_BUFFER, EMITTER_SURFACE,
     GATHER_PARAMS, JOIN_SUBSETS, LIGHT_TABLE, LIGHT_TO_POINTS, LIGHT_TO_TABLE, ONE_SURFACE,
     PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PIXELS, REFLECT, ROW_CLUSTER,
-    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE,
-    SIGNATURE_PROBED, SPLIT_SUBSETS, SUBSETS, SURFACE_LOBE_CODE, SURFACE_LOBED, SURFACE_PLAIN,
-    TABLE, TYPES, VIEW_DIRECTION,
+    ROW_POINT, SAMPLING, SEEN_FUZZY, SEEN_HARD, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY,
+    SIGNATURE_NONE, SIGNATURE_PROBED, SPLIT_SUBSETS, SUBSETS, SURFACE_LOBE_CODE, SURFACE_LOBED,
+    SURFACE_PLAIN, TABLE, TYPES, VIEW_DIRECTION,
 };
 use super::materials::{albedo, gathered, lobes};
 use super::trace::rays;
@@ -97,7 +98,9 @@ pub fn correct(target: Target, bounded: bool, sharing: Sharing) -> Program {
     modules.extend(rays(target));
     modules.extend([vpl(target), bound, &EMITTER_SURFACE, &CORRECT_PARAMS]);
     modules.extend(rows(sharing));
-    modules.extend([pair, &CORRECT]);
+    let cooperates = target.subgroups && !target.features.phong;
+    let offers = if cooperates { &CORRECT_COOPERATIVE } else { &CORRECT_EACH };
+    modules.extend([pair, &CORRECT_DRAW, offers, &CORRECT]);
     Program::new("correction", modules)
 }
 

@@ -22,6 +22,7 @@ impl Settings {
         within("samples", self.samples, 1..=u32::MAX)?;
         within("edge-samples", self.edge_samples, 1..=Self::MOST_EDGE_SAMPLES)?;
         within("vpl-candidates", self.candidates, 1..=Self::MOST_CANDIDATES)?;
+        within("correct", self.correct, 0..=Self::MOST_CORRECTIONS)?;
         within("interleave", self.interleave, 1..=Self::MOST_INTERLEAVE)?;
         if let Some(count) = self.light_samples {
             within("light-samples", count, 1..=Self::MOST_LIGHT_SAMPLES)?;
@@ -116,6 +117,7 @@ mod tests {
             ("samples 0", Settings { samples: 0, ..plain }),
             ("edge-samples 0", Settings { edge_samples: 0, ..plain }),
             ("edge-samples 4097", Settings { edge_samples: 4097, ..plain }),
+            ("correct 257", Settings { correct: 257, ..plain }),
             ("interleave 0", Settings { interleave: 0, ..plain }),
             ("interleave 9", Settings { interleave: 9, ..plain }),
             ("light-samples 0", Settings { light_samples: Some(0), ..plain }),
