@@ -89,6 +89,7 @@ pub fn all_programs() -> Vec<Program> {
             let sharing = [Sharing::Own, Sharing::Cluster, Sharing::Fuzzy];
             let emitter = Emitter::Surface;
             programs.extend(sharing.map(|sharing| shade(target, bounded, sharing, emitter)));
+            programs.extend(sharing.map(|sharing| correct(target, bounded, sharing)));
         }
         programs.extend(path::all(target));
         programs.extend(compensation::all(target));

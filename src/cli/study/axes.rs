@@ -12,7 +12,7 @@ use crate::render::Settings;
 use crate::study::{Experiment, Run, options};
 
 /// Those that a setting is made of.
-const NAMES: [&str; 21] = [
+const NAMES: [&str; 22] = [
     "method",
     "vpls",
     "vpl-candidates",
