@@ -10,7 +10,7 @@ use super::gather::{ClampedEnergy, Gather, Interleave, Irradiance};
 use super::prepared::Prepared;
 use super::result::{Phases, Progress, Tally};
 use super::stage::Named;
-use super::visibility::LightSet;
+use super::visibility::{LightSet, SharedColumns};
 use super::vpls::VplSet;
 use crate::gpu::GpuError;
 
@@ -44,7 +44,8 @@ impl<'a> IndirectLight<'a> {
         let FrameSetup { prepared, settings, seed, tiling, .. } = *setup;
         let subsets = if settings.interleaves() { settings.interleave.pow(2) } else { 1 };
         let gathered = vpls.gathered(settings);
-        let columns = vpls.clusters.as_ref();
+        let drawn = settings.draws_members().then_some(seed);
+        let columns = vpls.clusters.as_ref().map(|clusters| SharedColumns { clusters, drawn });
         let Some(lights) =
             LightSet::new(prepared, gathered, columns, vpls.bound.as_ref(), subsets)?
         else {

@@ -12,7 +12,7 @@ use crate::render::prepared::Prepared;
 use crate::render::result::Phases;
 use crate::render::settings::Sharing;
 use crate::render::stage::{Named, Stage};
-use crate::render::visibility::{LightSet, Tracer};
+use crate::render::visibility::{ColumnEnds, LightSet, MemberRays, Tracer};
 
 /// Words of 32 VPLs in a chunk of the bit matrix: 8 MiB for a tile's points. Also fixes the
 /// order of the sums, so it is no matter of tuning.
@@ -71,12 +71,20 @@ pub struct Gather<'a> {
 /// The columns of the bit matrix that VPLs share.
 #[derive(Debug)]
 struct Columns {
-    /// Traces them.
-    trace: Stage,
+    trace: ColumnRays,
     /// Packs them into the table.
     pack: Stage,
     /// What rows see of them.
     table: Texture,
+}
+
+/// Traces columns.
+#[derive(Debug)]
+enum ColumnRays {
+    /// To one light for each cluster.
+    Representatives(Stage),
+    /// To members that rows draw.
+    Members(MemberRays),
 }
 
 /// The chunks of the bit matrix, in order.
@@ -148,14 +156,25 @@ impl<'a> Gather<'a> {
         };
         let columns = match (&lights.columns, &column_bits) {
             (Some(columns), Some(bits)) => {
-                let buffers = [("vpls", &columns.buffer), ("bits", bits)];
-                let buffers = [&tracing[..], &buffers, &common].concat();
+                let trace = match &columns.ends {
+                    ColumnEnds::Representatives(buffer) => {
+                        let buffers = [("vpls", buffer), ("bits", bits)];
+                        let buffers = [&tracing[..], &buffers, &common].concat();
+                        ColumnRays::Representatives(tracer.stage(lights.emitter, &buffers)?)
+                    }
+                    ColumnEnds::Members(members) => {
+                        let buffers = [&tracing[..], &[("bits", bits)], &common].concat();
+                        let (rows, words) = (rows_count, columns.words);
+                        let rays = MemberRays::new(&tracer, members, &buffers, rows, words)?;
+                        ColumnRays::Members(rays)
+                    }
+                };
                 let texels = rows_count.div_ceil(4) as usize * columns.words as usize;
                 let table = gpu.table("visibility of clusters", texels, TableFormat::Quadruples)?;
                 let packed = [("packed_columns", &table)];
                 let pack = kernels::pack_columns();
                 Some(Columns {
-                    trace: tracer.stage(lights.emitter, &buffers)?,
+                    trace,
                     pack: Stage::with_textures(prepared, &pack, &[("bits", bits)], &packed)?,
                     table,
                 })
@@ -295,7 +314,12 @@ impl<'a> Gather<'a> {
             return Ok(0);
         };
         let params = self.tracer.params(rows, 0, columns.words);
-        let rays = self.tracer.trace(&stages.trace, params, columns.words, phases, progress)?;
+        let rays = match &stages.trace {
+            ColumnRays::Representatives(stage) => {
+                self.tracer.trace(stage, params, columns.words, phases, progress)?
+            }
+            ColumnRays::Members(rays) => rays.trace(&self.tracer, params, phases, progress)?,
+        };
         let params = ExpandParams { rows, matrix_word: 0, words: columns.words, pad: 0 };
         let groups = [rows.div_ceil(4 * 64), columns.words];
         phases.visibility += stages.pack.run(self.prepared, &params, groups)?;

@@ -43,8 +43,12 @@ pub enum Representative {
     /// The mean of its members' positions and normals, as in the thesis.
     Mean,
     /// The member nearest to the mean.
-    #[default]
     Member,
+    /// For each cluster of visible points a member of its own, drawn in proportion to what each
+    /// would give it if nothing were between, so that no light is lost in the mean. Where light is
+    /// merged, or points are not in clusters, the member nearest to the mean.
+    #[default]
+    Drawn,
 }
 
 impl Clustering {
