@@ -3,12 +3,13 @@
 // visibilities of their own. One member for all rows would lose the light of a cluster wherever it alone
 // is hidden.
 
-// Members weighed for a draw, at most; of more, evenly spaced ones.
-const MOST_MEMBERS = 32u;
+// Members weighed for a draw, at most; of more, evenly spaced ones. Few would be drawn with
+// probabilities that are off by about one over their number.
+const MOST_MEMBERS = 256u;
 
 // The members of each cluster: the first, and how many.
 @group(0) @binding(130) var member_ranges: texture_2d<u32>;
-// Cluster after cluster, MEMBER_TEXELS a member: position, weight; normal, bound.
+// Cluster after cluster, MEMBER_SIZE texels a member: position, weight; normal, bound.
 @group(0) @binding(131) var member_table: texture_2d<u32>;
 // For each quadruple of clusters and each row: the members.
 @group(0) @binding(133) var drawn_table: texture_storage_2d<rgba32uint, write>;
@@ -82,7 +83,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let four = drawn(rows, row, cluster + 3u);
     for (var i = 0u; i < 4u; i++) {
         let place = table_place(id.y * params.rows + row + i);
-        let texel = vec4u(one[i], two[i], three[i], four[i]);
-        if row + i <= last { textureStore(drawn_table, place, texel); }
+        let members = vec4u(one[i], two[i], three[i], four[i]);
+        if row + i <= last { textureStore(drawn_table, place, members); }
     }
 }

@@ -1,3 +1,3 @@
 // A diffuse member of a VPL cluster.
 
-const MEMBER_TEXELS = 2u;
+const MEMBER_SIZE = 2u;

@@ -1,7 +1,7 @@
 // What a member with a Phong lobe gives to rows that see it, over what the brightest of all emits.
 
 fn weights(rows: FourRows, member: u32) -> vec4f {
-    let at = MEMBER_TEXELS * member;
+    let at = MEMBER_SIZE * member;
     let position = bitcast<vec4f>(textureLoad(member_table, table_place(at), 0));
     let normal = bitcast<vec4f>(textureLoad(member_table, table_place(at + 1u), 0));
     let mirrored = bitcast<vec4f>(textureLoad(member_table, table_place(at + 2u), 0));
