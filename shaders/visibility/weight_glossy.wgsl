@@ -10,7 +10,9 @@ fn weights(rows: FourRows, member: u32) -> vec4f {
     let cosines = -(all.ways * mirrored.xyz) * inverseSqrt(max(all.squares, vec4f(1e-37)));
     // Never 0^0.
     let powers = pow(max(cosines, vec4f(1e-20)), vec4f(mirrored.w));
-    let there = specular.y * select(vec4f(0.0), powers, cosines > vec4f(0.0));
+    let lobe = specular.y * select(vec4f(0.0), powers, cosines > vec4f(0.0));
+    // A lobe that passes a row by may meet points of its cluster.
+    let there = max(lobe, vec4f(0.01));
     return position.w * min(all.geometry, vec4f(normal.w))
         + specular.x * min(all.geometry * there, vec4f(normal.w));
 }

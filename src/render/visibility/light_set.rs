@@ -54,8 +54,17 @@ pub enum ColumnEnds {
 pub struct SharedColumns<'a> {
     /// The clusters.
     pub clusters: &'a VplClusters,
-    /// The seed by which each row draws a member of each; none where their lights stand for them.
-    pub drawn: Option<u32>,
+    /// How each row draws a member of each; none where their lights stand for them.
+    pub draws: Option<Draws<'a>>,
+}
+
+/// How rows draw members of clusters.
+#[derive(Debug, Clone, Copy)]
+pub struct Draws<'a> {
+    /// Tells draws apart.
+    pub seed: u32,
+    /// Bounds the geometry terms that they go by.
+    pub bound: &'a GeometryBound,
 }
 
 /// The name by which shaders know lights that points gather.
@@ -91,7 +100,7 @@ impl LightSet {
         }
         let order = deal(&curve(lights), subsets as usize);
         let buffer = upload(prepared, "VPLs", lights, &order, subsets as f32, bound)?;
-        let columns = columns.map(|of| Columns::new(prepared, of, lights, bound, &order));
+        let columns = columns.map(|of| Columns::new(prepared, of, lights, &order));
         let columns = columns.transpose()?;
         let words = (order.len() / 32) as u32 / subsets;
         let (count, emitter) = (lights.len() as u32, Emitter::Surface);
@@ -115,9 +124,8 @@ impl LightSet {
 impl Columns {
     fn new(
         prepared: &Prepared,
-        SharedColumns { clusters, drawn }: SharedColumns<'_>,
+        SharedColumns { clusters, draws }: SharedColumns<'_>,
         lights: &[VirtualLight],
-        bound: Option<&GeometryBound>,
         vpls: &[Option<u32>],
     ) -> Result<Self, GpuError> {
         let curve = curve(&clusters.lights);
@@ -128,11 +136,12 @@ impl Columns {
         }
         let of_vpl = |vpl: u32| column_of[clusters.of_lights[vpl as usize] as usize];
         let of_vpls: Vec<u32> = vpls.iter().map(|vpl| vpl.map_or(0, of_vpl)).collect();
-        let ends = match drawn {
-            Some(seed) => {
+        // Of clusters of one there is nothing to draw.
+        let ends = match draws.filter(|_| clusters.lights.len() < lights.len()) {
+            Some(draws) => {
                 let of_lights: Vec<u32> = (0..lights.len() as u32).map(of_vpl).collect();
                 let columns = order.len();
-                let members = Members::new(prepared, lights, bound, &of_lights, columns, seed)?;
+                let members = Members::new(prepared, lights, draws, &of_lights, columns)?;
                 ColumnEnds::Members(members)
             }
             None => {

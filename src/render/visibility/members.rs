@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use super::light_set::Draws;
 use super::trace::{Slices, Tracer, words_at_once};
 use crate::gpu::{GpuError, TableFormat, Texture, VisibilityParams};
 use crate::render::kernels;
@@ -34,17 +35,16 @@ type Diffuse = [[f32; 4]; 2];
 type Glossy = [[f32; 4]; 4];
 
 impl Members {
-    /// Uploads lights, each in one of so many clusters, to draw by a seed.
+    /// Uploads lights, each in one of so many clusters.
     ///
     /// # Errors
     /// The device refuses.
     pub fn new(
         prepared: &Prepared,
         lights: &[VirtualLight],
-        bound: Option<&GeometryBound>,
+        Draws { seed, bound }: Draws<'_>,
         of_lights: &[u32],
         clusters: usize,
-        seed: u32,
     ) -> Result<Self, GpuError> {
         let mut order = curve(lights);
         order.sort_by_key(|&light| of_lights[light as usize]);
@@ -142,13 +142,13 @@ impl MemberRays {
     }
 }
 
-fn diffuse(light: &VirtualLight, scale: f64, bound: Option<&GeometryBound>) -> Diffuse {
-    let bound = bound.map_or(f32::MAX, |bound| bound.at(light.position, light.normal));
+fn diffuse(light: &VirtualLight, scale: f64, bound: &GeometryBound) -> Diffuse {
+    let bound = bound.at(light.position, light.normal);
     [(light.position, weight(light.intensity, scale)), (light.normal, bound)]
         .map(|(place, last)| place.extend(last).to_array())
 }
 
-fn glossy(light: &VirtualLight, scale: f64, bound: Option<&GeometryBound>) -> Glossy {
+fn glossy(light: &VirtualLight, scale: f64, bound: &GeometryBound) -> Glossy {
     let [place, side] = diffuse(light, scale, bound);
     let Some(lobe) = light.gloss else { return [place, side, [0.0; 4], [0.0; 4]] };
     let peak = 0.5 * lobe.shininess + 1.0;
