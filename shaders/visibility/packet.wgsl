@@ -1,7 +1,5 @@
 // Shadow rays in packets. A packet is what a subgroup holds: 4 neighbouring points a lane,
-// all seen from one VPL. It goes through the hierarchy as one: a node's children are tested by
-// `children_met` of the packet_*.wgsl that is linked, a leaf's shapes against each segment by
-// `blocks` of the blocker_*.wgsl.
+// all seen from one VPL.
 //
 // No lane returns early: a subgroup shares its loads.
 
@@ -37,10 +35,7 @@ fn main(
         max(select(-top, e2, is2), select(-top, e3, is3)),
     ));
 
-    var seen0 = 0u;
-    var seen1 = 0u;
-    var seen2 = 0u;
-    var seen3 = 0u;
+    var seen = vec4u(0u);
     var rays = 0u;
     let count = min(32u, params.vpls - 32u * word);
     let stop = min(count, params.first + params.count);
@@ -60,56 +55,25 @@ fn main(
         let b1 = p1.position - vpl.position;
         let b2 = p2.position - vpl.position;
         let b3 = p3.position - vpl.position;
-        var open0 = is && is0 && dot(b0, p0.normal) < 0.0 && facing(b0, vpl.normal) > 0.0;
-        var open1 = is && is1 && dot(b1, p1.normal) < 0.0 && facing(b1, vpl.normal) > 0.0;
-        var open2 = is && is2 && dot(b2, p2.normal) < 0.0 && facing(b2, vpl.normal) > 0.0;
-        var open3 = is && is3 && dot(b3, p3.normal) < 0.0 && facing(b3, vpl.normal) > 0.0;
+        let open0 = is && is0 && dot(b0, p0.normal) < 0.0 && facing(b0, vpl.normal) > 0.0;
+        let open1 = is && is1 && dot(b1, p1.normal) < 0.0 && facing(b1, vpl.normal) > 0.0;
+        let open2 = is && is2 && dot(b2, p2.normal) < 0.0 && facing(b2, vpl.normal) > 0.0;
+        let open3 = is && is3 && dot(b3, p3.normal) < 0.0 && facing(b3, vpl.normal) > 0.0;
         rays += u32(open0) + u32(open1) + u32(open2) + u32(open3);
 
-        let bounds = packet_bounds(low - origin, high - origin, d0, d1, d2, d3);
-        let none = !subgroupAny(open0 || open1 || open2 || open3);
-        // The way to the middle of the packet's ends.
-        let ahead = (low - origin) + (high - origin);
-        var stack = Stack();
-        var link = select(ROOT, 0u, none);
-        while link != 0u {
-            // Down to the next leaf that the packet may meet.
-            while link != 0u && (link & 7u) == 0u {
-                let words = textureLoad(node_table, table_place(link + lane), 0);
-                let open = vec4<bool>(open0, open1, open2, open3);
-                let met = children_met(bounds, words, origin, open, lane);
-                link = next_child(&stack, words, met, ahead, lane);
-            }
-            let end = link / 8u + link % 8u;
-            for (var j = link / 8u; j < end; j++) {
-                let loaded = textureLoad(triangle_table, table_place(3u * j + min(lane, 2u)), 0);
-                let one = subgroupBroadcast(loaded, 0u);
-                let two = subgroupBroadcast(loaded, 1u);
-                let three = subgroupBroadcast(loaded, 2u);
-                let k = blocker(
-                    bitcast<vec3f>(one.xyz), bitcast<vec3f>(two.xyz), bitcast<vec3f>(three.xyz),
-                    three.w, two.w, origin,
-                );
-                open0 = open0 && !blocks(k, d0);
-                open1 = open1 && !blocks(k, d1);
-                open2 = open2 && !blocks(k, d2);
-                open3 = open3 && !blocks(k, d3);
-            }
-            if !subgroupAny(open0 || open1 || open2 || open3) { break; }
-            link = next_link(&stack, 0u, 0u, lane);
-        }
-        finished = finished && (link == 0u || !(open0 || open1 || open2 || open3));
-        seen0 |= u32(open0) << (i & 31u);
-        seen1 |= u32(open1) << (i & 31u);
-        seen2 |= u32(open2) << (i & 31u);
-        seen3 |= u32(open3) << (i & 31u);
+        let packet = unblocked(
+            origin, low - origin, high - origin, d0, d1, d2, d3,
+            vec4<bool>(open0, open1, open2, open3), lane,
+        );
+        finished = finished && packet.finished;
+        seen |= vec4u(packet.open) << vec4u(i & 31u);
     }
 
     let row = 4u * id.x;
     let at = (word - params.matrix_word) * params.rows + row;
-    if row < params.rows { bits[at] = earlier(at) | seen0; }
-    if row + 1u < params.rows { bits[at + 1u] = earlier(at + 1u) | seen1; }
-    if row + 2u < params.rows { bits[at + 2u] = earlier(at + 2u) | seen2; }
-    if row + 3u < params.rows { bits[at + 3u] = earlier(at + 3u) | seen3; }
+    if row < params.rows { bits[at] = earlier(at) | seen.x; }
+    if row + 1u < params.rows { bits[at + 1u] = earlier(at + 1u) | seen.y; }
+    if row + 2u < params.rows { bits[at + 2u] = earlier(at + 2u) | seen.z; }
+    if row + 3u < params.rows { bits[at + 3u] = earlier(at + 3u) | seen.w; }
     count_rays(rays, finished && i > stop);
 }

@@ -31,7 +31,8 @@ pub fn representative(text: &str) -> Result<Representative, String> {
     match text {
         "mean" => Ok(Representative::Mean),
         "member" => Ok(Representative::Member),
-        _ => Err("give mean or member".to_owned()),
+        "drawn" => Ok(Representative::Drawn),
+        _ => Err("give mean, member or drawn".to_owned()),
     }
 }
 

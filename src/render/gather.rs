@@ -1,6 +1,7 @@
 //! Gathering the light of many lights at the visible points, and combining it over pixels.
 
 mod clamped;
+mod columns;
 mod interleave;
 mod irradiance;
 mod many_lights;

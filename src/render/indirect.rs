@@ -9,9 +9,10 @@ use super::compensation::Compensation;
 use super::gather::{ClampedEnergy, Corrections, Gather, Interleave, Irradiance};
 use super::prepared::Prepared;
 use super::result::{Phases, Progress, Tally};
+use super::settings::{Clamp, Settings};
 use super::stage::Named;
-use super::visibility::LightSet;
-use super::vpls::VplSet;
+use super::visibility::{Draws, LightSet, SharedColumns};
+use super::vpls::{GeometryBound, VplSet};
 use crate::gpu::GpuError;
 
 /// Gathers the VPLs of a frame.
@@ -44,7 +45,10 @@ impl<'a> IndirectLight<'a> {
         let FrameSetup { prepared, settings, seed, tiling, .. } = *setup;
         let subsets = if settings.interleaves() { settings.interleave.pow(2) } else { 1 };
         let gathered = vpls.gathered(settings);
-        let columns = vpls.clusters.as_ref();
+        let bound =
+            settings.draws_members().then(|| draw_bound(prepared, settings, vpls)).flatten();
+        let draws = bound.as_ref().map(|bound| Draws { seed, bound });
+        let columns = vpls.clusters.as_ref().map(|clusters| SharedColumns { clusters, draws });
         let Some(lights) =
             LightSet::new(prepared, gathered, columns, vpls.bound.as_ref(), subsets)?
         else {
@@ -201,4 +205,11 @@ impl<'a> IndirectLight<'a> {
         phases.compensation += compensation.add(self.prepared, tile)?;
         Ok(())
     }
+}
+
+/// The bound by which members of VPL clusters are drawn: the default one, so that visibility is the same
+/// with and without a bound, and what the bound takes is the difference between the images.
+fn draw_bound(prepared: &Prepared, settings: &Settings, vpls: &VplSet) -> Option<GeometryBound> {
+    let plain = Settings { clamp: Clamp::Auto, compensate: false, ..*settings };
+    GeometryBound::of(&prepared.scene, &plain, &vpls.vpls)
 }

@@ -33,18 +33,22 @@ pub use gather::{
 use lights::has_kind;
 use literals::Literals;
 pub use trace::{Tracing, shapes};
-pub use visibility::{Emitter, expand, pack_columns, rays_at_once, visibility};
+pub use visibility::{
+    Emitter, draw_members, expand, pack_columns, rays_at_once, visibility, visibility_of_members,
+};
 
 /// Every program that some scene or setting links, for tests and tools.
 pub fn all_programs() -> Vec<Program> {
     let mut programs = vec![expand(), pack_columns(), split_subsets(), guide()];
     programs.extend([unseen_surfaces(), replace_points()]);
     for target in Target::all() {
-        for emitter in [Emitter::Surface, Emitter::Point] {
-            // Literals are of triangles alone.
-            let linked = |tracing: &Tracing| *tracing != Tracing::Literals || target.literals;
-            let tracing = Tracing::ALL.into_iter().filter(linked);
-            programs.extend(tracing.map(|tracing| visibility(target, tracing, emitter)));
+        programs.push(draw_members(target));
+        // Literals are of triangles alone.
+        let linked = |tracing: &Tracing| *tracing != Tracing::Literals || target.literals;
+        for tracing in Tracing::ALL.into_iter().filter(linked) {
+            let emitters = [Emitter::Surface, Emitter::Point];
+            programs.extend(emitters.map(|emitter| visibility(target, tracing, emitter)));
+            programs.push(visibility_of_members(target, tracing));
         }
         for [lit, antialiased] in [[false, false], [true, false], [true, true]] {
             programs.push(visible_points(target, lit, antialiased));

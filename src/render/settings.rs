@@ -282,6 +282,12 @@ impl Settings {
         self.method.clusters_vpls() && self.clustering.merge == Merge::Visibility
     }
 
+    /// Whether each cluster of visible points draws the member whose visibility it takes.
+    pub fn draws_members(&self) -> bool {
+        let drawn = self.clustering.representative == Representative::Drawn;
+        drawn && self.shares_columns() && self.method.clusters_points()
+    }
+
     /// Whether pixels are antialiased by more camera rays than the samples.
     pub fn antialiases(&self) -> bool {
         let few = self.edge_samples > self.samples;

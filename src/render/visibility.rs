@@ -1,9 +1,11 @@
 //! Shadow rays between points and many lights: which row of the bit matrix sees which light.
 
 mod light_set;
+mod members;
 mod probes;
 mod trace;
 
-pub use light_set::{LightSet, VPL_BUFFER, table};
+pub use light_set::{ColumnEnds, Columns, Draws, LightSet, SharedColumns, VPL_BUFFER, table};
+pub use members::MemberRays;
 pub use probes::Probes;
 pub use trace::{Tracer, dispatch_rays};

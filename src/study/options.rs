@@ -12,6 +12,7 @@ fn values(settings: &Settings) -> Vec<(&'static str, String)> {
     let representative = match clustering.representative {
         Representative::Mean => "mean",
         Representative::Member => "member",
+        Representative::Drawn => "drawn",
     };
     let merge = match clustering.merge {
         Merge::Light => "light",
@@ -157,7 +158,7 @@ mod tests {
         assert!(!text(Method::Vpl).contains("--kmeans-stride"));
         assert!(text(Method::Vpc).contains("--kmeans-stride 4"));
         assert!(!text(Method::Vpc).contains("representative"));
-        assert!(text(Method::Vplc).contains("--representative member --merge visibility"));
+        assert!(text(Method::Vplc).contains("--representative drawn --merge visibility"));
         assert!(!text(Method::Path).contains("vpls"));
     }
 

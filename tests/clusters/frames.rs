@@ -57,6 +57,19 @@ fn clusters_of_one_give_the_image_of_all_vpls() {
     }
 }
 
+/// Packets, and each ray by itself, trace the same rays to the members that rows draw.
+#[test]
+fn rows_draw_the_same_members_whatever_traces_rays() {
+    let clustering = Clustering { points: 60, vpls: 40, ..Clustering::default() };
+    let settings = settings(Method::Both, clustering);
+    let [packets, single] = [gpu().clone(), gpu().clone().without_subgroups()]
+        .map(|gpu| frame(&prepared(gpu), &settings));
+    assert!(packets.counts.vpl_clusters.unwrap() * 8 < packets.counts.vpls, "nothing is drawn");
+    assert_eq!(packets.counts.shadow_rays, single.counts.shadow_rays);
+    let off = difference(&packets.image.pixels, &single.image.pixels);
+    assert!(off < 1e-5, "off by {off:e}");
+}
+
 /// Fewer clusters trace fewer rays, and are near the image of all VPLs.
 #[test]
 fn few_clusters_are_near_the_image_of_all_vpls() {

@@ -139,7 +139,9 @@ impl<'a> VisibilityDispatch<'a> {
                     first,
                     count: at_once,
                     first_point: 0,
-                    pad: [0; 3],
+                    words: slice,
+                    seed: 0,
+                    pad: 0,
                 };
                 gpu.write(&self.params, &[record]).unwrap();
                 let groups = workgroups(*points, self.tracing.points() == 4);

@@ -124,7 +124,8 @@ fn records() -> Vec<Record> {
             blocks, across, first_block, strata, seed, offset, nodes, is_piloted, even_sky, pad,
         }),
         record!(VisibilityParams as "VisibilityParams" {
-            rows, vpls, first_word, matrix_word, offset, nodes, first, count, first_point, pad,
+            rows, vpls, first_word, matrix_word, offset, nodes, first, count, first_point, words, seed,
+            pad,
         }),
         record!(ExpandParams as "ExpandParams" { rows, matrix_word, words, pad }),
         record!(ShadeParams as "ShadeParams" {

@@ -270,8 +270,10 @@ pub struct ClusteringArgs {
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Clustering::MOST_STRIDE)))]
     pub kmeans_stride: u32,
 
-    /// What stands for a VPL cluster: mean or member
-    #[arg(long, value_name = "WHAT", default_value = "member",
+    /// What stands for a VPL cluster: its mean, the member nearest to that, or a member drawn for
+    /// each cluster of visible points by what it gives (where visibility alone is shared; else as
+    /// member)
+    #[arg(long, value_name = "WHAT", default_value = "drawn",
           value_parser = parse::representative)]
     pub representative: Representative,
 

@@ -155,8 +155,12 @@ pub struct VisibilityParams {
     pub count: u32,
     /// The point of the first row.
     pub first_point: u32,
+    /// Words of this dispatch; used where rows draw members of clusters.
+    pub words: u32,
+    /// Tells draws of members apart; used there, too.
+    pub seed: u32,
     /// Unused.
-    pub pad: [u32; 3],
+    pub pad: u32,
 }
 
 /// Parameters of the stage that gives VPLs the visibility of their clusters.

@@ -177,7 +177,7 @@ impl Sum {
         let mean = |sum: DVec3, member: Vec3| match representative {
             // The mean of unit vectors that oppose each other has no direction.
             Representative::Mean => sum.as_vec3().try_normalize().unwrap_or(member),
-            Representative::Member => member,
+            Representative::Member | Representative::Drawn => member,
         };
         let gloss = |gloss: GlossyLobe| GlossyLobe {
             specular: self.specular.as_vec3(),
@@ -187,7 +187,7 @@ impl Sum {
         VirtualLight {
             position: match representative {
                 Representative::Mean => (self.position / self.count).as_vec3(),
-                Representative::Member => member.position,
+                Representative::Member | Representative::Drawn => member.position,
             },
             normal: mean(self.normal, member.normal),
             intensity: self.intensity.as_vec3(),

@@ -4,10 +4,9 @@
 
 use std::ops::Range;
 
+use super::columns::ColumnBits;
 use super::interleave::Subsets;
-use crate::gpu::{
-    CorrectParams, ExpandParams, GpuError, ShadeParams, TableFormat, Texture, VisibilityParams,
-};
+use crate::gpu::{CorrectParams, ExpandParams, GpuError, ShadeParams, VisibilityParams};
 use crate::render::camera::Tile;
 use crate::render::clusters::PointClusters;
 use crate::render::kernels;
@@ -77,24 +76,13 @@ pub struct Gather<'a> {
     lights: LightSet,
     rows: Rows,
     /// Traces the columns that VPLs share, if they do.
-    columns: Option<Columns>,
+    columns: Option<ColumnBits>,
     /// One for each chunk of clusters' rows; one that is used again for points'.
     chunks: Vec<Chunk>,
     /// Words of each of them, at most.
     chunk_words: u32,
     tracer: Tracer<'a>,
     corrections: Option<Corrections>,
-}
-
-/// The columns of the bit matrix that VPLs share.
-#[derive(Debug)]
-struct Columns {
-    /// Traces them.
-    trace: Stage,
-    /// Packs them into the table.
-    pack: Stage,
-    /// What rows see of them.
-    table: Texture,
 }
 
 /// The chunks of the bit matrix, in order.
@@ -162,26 +150,11 @@ impl<'a> Gather<'a> {
         let matrix = |words: u32| {
             gpu.storage::<u32>("visibility bits", rows_count as usize * words as usize)
         };
-        let column_bits = match &lights.columns {
-            Some(columns) => Some(matrix(columns.words)?),
-            None => None,
-        };
-        let columns = match (&lights.columns, &column_bits) {
-            (Some(columns), Some(bits)) => {
-                let buffers = [("vpls", &columns.buffer), ("bits", bits)];
-                let buffers = [&tracing[..], &buffers, &common].concat();
-                let texels = rows_count.div_ceil(4) as usize * columns.words as usize;
-                let table = gpu.table("visibility of clusters", texels, TableFormat::Quadruples)?;
-                let packed = [("packed_columns", &table)];
-                let pack = kernels::pack_columns();
-                Some(Columns {
-                    trace: tracer.stage(lights.emitter, &buffers)?,
-                    pack: Stage::with_textures(prepared, &pack, &[("bits", bits)], &packed)?,
-                    table,
-                })
-            }
-            _ => None,
-        };
+        let columns = lights.columns.as_ref().map(|columns| {
+            let buffers = [&tracing[..], &common].concat();
+            ColumnBits::new(prepared, &tracer, lights.emitter, columns, &buffers, rows_count)
+        });
+        let columns = columns.transpose()?;
         let chunk = |words: u32| {
             let bits = matrix(words)?;
             let bits = ("bits", &bits);
@@ -334,15 +307,8 @@ impl<'a> Gather<'a> {
         phases: &mut Phases,
         progress: &dyn Fn(f64),
     ) -> Result<u64, GpuError> {
-        let (Some(stages), Some(columns)) = (&self.columns, &self.lights.columns) else {
-            return Ok(0);
-        };
-        let params = self.tracer.params(rows, 0, columns.words);
-        let rays = self.tracer.trace(&stages.trace, params, columns.words, phases, progress)?;
-        let params = ExpandParams { rows, matrix_word: 0, words: columns.words, pad: 0 };
-        let groups = [rows.div_ceil(4 * 64), columns.words];
-        phases.visibility += stages.pack.run(self.prepared, &params, groups)?;
-        Ok(rays)
+        let Some(columns) = &self.columns else { return Ok(0) };
+        columns.trace(self.prepared, &self.tracer, rows, phases, progress)
     }
 
     /// Writes the bits of a chunk: traces them, or copies them from the columns.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 
-use super::catalogue::{HIT_POINT, LITERALS, VISIBILITY_LITERALS};
+use super::catalogue::{HIT_POINT, LITERAL_SEGMENTS, LITERALS};
 use crate::bvh::Bvh;
 use crate::gpu::{Module, Program, TriangleRecord};
 use crate::scene::Scene;
@@ -82,7 +82,7 @@ impl Literals {
     /// A program that asks for them, with them: all triangles where it finds what rays hit.
     pub fn complete(&self, program: Program) -> Program {
         let links = |module: &'static Module| program.modules.contains(&module);
-        let generated = match links(&LITERALS) || links(&VISIBILITY_LITERALS) {
+        let generated = match links(&LITERALS) || links(&LITERAL_SEGMENTS) {
             true if links(&HIT_POINT) => Some(self.all.clone()),
             true => Some(self.blockers.clone()),
             false => None,

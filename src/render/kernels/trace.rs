@@ -1,8 +1,9 @@
 //! How rays are traced: the modules that a scene's shapes choose, and its size.
 
 use super::catalogue::{
-    BLOCKER_ANY, BLOCKER_TRIANGLE, LITERALS, OPAQUE_ALL, OPAQUE_CUTOUT, PACKET_RAYS, PACKET_SHAFT,
-    RAY, SHAPE_ANY, SHAPE_TRIANGLE, TABLE, TEXTURE, TRAVERSE, TRAVERSE_PACKET, UV_ANY, UV_TRIANGLE,
+    BLOCKER_ANY, BLOCKER_TRIANGLE, LITERAL_SEGMENTS, LITERALS, MEMBERS_LITERALS, MEMBERS_PACKET,
+    MEMBERS_SINGLE, OPAQUE_ALL, OPAQUE_CUTOUT, PACKET_RAYS, PACKET_SEGMENTS, PACKET_SHAFT, RAY,
+    SHAPE_ANY, SHAPE_TRIANGLE, TABLE, TEXTURE, TRAVERSE, TRAVERSE_PACKET, UV_ANY, UV_TRIANGLE,
     VISIBILITY_LITERALS, VISIBILITY_PACKET, VISIBILITY_SINGLE, WIDE_NODES,
 };
 use crate::gpu::Module;
@@ -84,13 +85,44 @@ impl Tracing {
         if self == Self::Single { 1 } else { 4 }
     }
 
-    /// What traces them, after what they may meet.
+    /// What traces them, after what they may meet and tables.
     pub(super) fn modules(self) -> Vec<&'static Module> {
         match self {
-            Self::Single => vec![&TRAVERSE, &VISIBILITY_SINGLE],
-            Self::Shaft => vec![&TABLE, &WIDE_NODES, &PACKET_SHAFT, &VISIBILITY_PACKET],
-            Self::Rays => vec![&TABLE, &WIDE_NODES, &PACKET_RAYS, &VISIBILITY_PACKET],
-            Self::Literals => vec![&VISIBILITY_LITERALS],
+            Self::Single => vec![&TRAVERSE],
+            Self::Shaft => vec![&WIDE_NODES, &PACKET_SHAFT, &PACKET_SEGMENTS],
+            Self::Rays => vec![&WIDE_NODES, &PACKET_RAYS, &PACKET_SEGMENTS],
+            Self::Literals => vec![&LITERAL_SEGMENTS],
+        }
+    }
+
+    /// From lights to neighbouring points.
+    pub(super) fn of_lights(self) -> &'static Module {
+        match self {
+            Self::Single => &VISIBILITY_SINGLE,
+            Self::Shaft | Self::Rays => &VISIBILITY_PACKET,
+            Self::Literals => &VISIBILITY_LITERALS,
+        }
+    }
+
+    /// From a point to members of clusters of lights.
+    pub(super) fn of_members(self) -> &'static Module {
+        match self {
+            Self::Single => &MEMBERS_SINGLE,
+            Self::Shaft | Self::Rays => &MEMBERS_PACKET,
+            Self::Literals => &MEMBERS_LITERALS,
+        }
+    }
+
+    /// Workgroups of a dispatch over so many rows and words of lights that draws members.
+    pub fn groups_of_members(self, rows: u32, words: u32) -> [u32; 2] {
+        match self {
+            Self::Single | Self::Literals => [rows.div_ceil(64), words],
+            // One has up to eight words of a row.
+            Self::Shaft | Self::Rays => {
+                const MOST_ACROSS: u64 = 1 << 15;
+                let all = u64::from(rows) * u64::from(words.div_ceil(8));
+                [all.min(MOST_ACROSS) as u32, all.div_ceil(MOST_ACROSS) as u32]
+            }
         }
     }
 }

@@ -1,8 +1,9 @@
 //! The programs of shadow rays between points and many lights: VPLs, or places on light sources.
 
 use super::catalogue::{
-    BITS, EMITTER_POINT, EMITTER_SURFACE, EXPAND, EXPAND_PARAMS, PACK_COLUMNS, RAY, TABLE, TYPES,
-    VIEW_DIRECTION, VPL_DIFFUSE, VPL_GLOSSY,
+    BITS, DRAW_MEMBERS, EMITTER_POINT, EMITTER_SURFACE, EXPAND, EXPAND_PARAMS, MEMBER_DIFFUSE,
+    MEMBER_GLOSSY, MEMBERS, PACK_COLUMNS, RAY, SAMPLING, TABLE, TYPES, VIEW_DIRECTION,
+    VISIBILITY_LIGHTS, VISIBILITY_PARAMS, VPL_DIFFUSE, VPL_GLOSSY, WEIGHT_DIFFUSE, WEIGHT_GLOSSY,
 };
 use super::trace::{Tracing, blockers, shapes};
 use crate::gpu::{Module, Program};
@@ -60,14 +61,46 @@ pub fn vpl(target: Target) -> &'static Module {
 /// Shadow rays between points and lights.
 pub fn visibility(target: Target, tracing: Tracing, emitter: Emitter) -> Program {
     let mut modules = vec![&TYPES, &VIEW_DIRECTION, vpl(target)];
-    modules.extend(match tracing {
+    modules.extend(met(target, tracing));
+    modules.extend([emitter.module(), &VISIBILITY_LIGHTS, &VISIBILITY_PARAMS, &BITS]);
+    if matches!(tracing, Tracing::Shaft | Tracing::Rays) {
+        modules.push(&TABLE);
+    }
+    modules.extend(tracing.modules());
+    modules.push(tracing.of_lights());
+    Program::new("visibility", modules)
+}
+
+/// Shadow rays between points and members of VPL clusters that they draw.
+pub fn visibility_of_members(target: Target, tracing: Tracing) -> Program {
+    let mut modules = vec![&TYPES, &VIEW_DIRECTION];
+    modules.extend(met(target, tracing));
+    modules.extend([&VISIBILITY_PARAMS, &BITS, &TABLE]);
+    modules.extend([member(target), &MEMBERS]);
+    modules.extend(tracing.modules());
+    modules.push(tracing.of_members());
+    Program::new("visibility of clusters", modules)
+}
+
+/// Which members of VPL clusters points draw.
+pub fn draw_members(target: Target) -> Program {
+    let weight = if target.features.phong { &WEIGHT_GLOSSY } else { &WEIGHT_DIFFUSE };
+    let modules = [&TYPES, &SAMPLING, &TABLE, &VISIBILITY_PARAMS, member(target), weight];
+    Program::new("draws of members", [&modules[..], &[&DRAW_MEMBERS]].concat())
+}
+
+/// The record of a member of a VPL cluster.
+fn member(target: Target) -> &'static Module {
+    if target.features.phong { &MEMBER_GLOSSY } else { &MEMBER_DIFFUSE }
+}
+
+/// What shadow rays may meet.
+fn met(target: Target, tracing: Tracing) -> Vec<&'static Module> {
+    match tracing {
         Tracing::Single => shapes(target.features),
         Tracing::Shaft | Tracing::Rays => blockers(target.features),
         Tracing::Literals => vec![&RAY],
-    });
-    modules.extend([emitter.module(), &BITS]);
-    modules.extend(tracing.modules());
-    Program::new("visibility", modules)
+    }
 }
 
 /// Visibility of VPLs from that of their clusters.

@@ -4,9 +4,9 @@ use super::Plan;
 use crate::gpu::Program;
 use crate::render::kernels::{
     self, Emitter, LightRays, antialias, background, clamped_energy, compensation,
-    discontinuity_buffer, emit, expand, first_rays, join_subsets, link_rays, pack_columns, path,
-    reflect, replace_points, resolve, resolve_rays, shade, show, split_subsets, unseen_surfaces,
-    visible_points,
+    discontinuity_buffer, draw_members, emit, expand, first_rays, join_subsets, link_rays,
+    pack_columns, path, reflect, replace_points, resolve, resolve_rays, shade, show, split_subsets,
+    unseen_surfaces, visible_points,
 };
 use crate::render::lights::LightKind;
 use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
@@ -55,6 +55,9 @@ impl Plan {
             }
             if settings.shares_columns() {
                 programs.extend([pack_columns(), expand()]);
+            }
+            if settings.draws_members() {
+                programs.extend([draw_members(target), self.member_visibility_program()]);
             }
             if settings.interleaves() {
                 programs.extend([
@@ -177,6 +180,11 @@ impl Plan {
     /// Shadow rays between points and lights.
     pub fn visibility_program(&self, emitter: Emitter) -> Program {
         kernels::visibility(self.target(), self.tracing(), emitter)
+    }
+
+    /// Shadow rays between points and members of VPL clusters.
+    pub fn member_visibility_program(&self) -> Program {
+        kernels::visibility_of_members(self.target(), self.tracing())
     }
 
     /// What the camera sees emitted.

@@ -2,6 +2,7 @@
 
 use bytemuck::Zeroable;
 
+use super::members::Members;
 use crate::gpu::{GlossyVplRecord, GpuError, Texture, VplRecord};
 use crate::render::clusters::VplClusters;
 use crate::render::kernels::Emitter;
@@ -33,10 +34,37 @@ pub struct LightSet {
 pub struct Columns {
     /// Words of 32 of them.
     pub words: u32,
-    /// What shadow rays are traced to, filled up to whole words.
-    pub buffer: wgpu::Buffer,
+    /// What shadow rays are traced to.
+    pub ends: ColumnEnds,
     /// The cluster of each VPL, filled up to whole words.
     pub of_vpls: Texture,
+}
+
+/// What shadow rays to clusters of VPLs are traced to.
+#[derive(Debug)]
+pub enum ColumnEnds {
+    /// One light for each cluster, filled up to whole words.
+    Representatives(wgpu::Buffer),
+    /// The member that a row draws.
+    Members(Members),
+}
+
+/// Clusters of VPLs whose visibility those share.
+#[derive(Debug, Clone, Copy)]
+pub struct SharedColumns<'a> {
+    /// The clusters.
+    pub clusters: &'a VplClusters,
+    /// How each row draws a member of each; none where their lights stand for them.
+    pub draws: Option<Draws<'a>>,
+}
+
+/// How rows draw members of clusters.
+#[derive(Debug, Clone, Copy)]
+pub struct Draws<'a> {
+    /// Tells draws apart.
+    pub seed: u32,
+    /// Bounds the geometry terms that they go by.
+    pub bound: &'a GeometryBound,
 }
 
 /// The name by which shaders know lights that points gather.
@@ -63,7 +91,7 @@ impl LightSet {
     pub fn new(
         prepared: &Prepared,
         lights: &[VirtualLight],
-        columns: Option<&VplClusters>,
+        columns: Option<SharedColumns<'_>>,
         bound: Option<&GeometryBound>,
         subsets: u32,
     ) -> Result<Option<Self>, GpuError> {
@@ -72,8 +100,8 @@ impl LightSet {
         }
         let order = deal(&curve(lights), subsets as usize);
         let buffer = upload(prepared, "VPLs", lights, &order, subsets as f32, bound)?;
-        let columns =
-            columns.map(|clusters| Columns::new(prepared, clusters, &order)).transpose()?;
+        let columns = columns.map(|of| Columns::new(prepared, of, lights, &order));
+        let columns = columns.transpose()?;
         let words = (order.len() / 32) as u32 / subsets;
         let (count, emitter) = (lights.len() as u32, Emitter::Surface);
         Ok(Some(Self { emitter, count, words, subsets, buffer, bounded: bound.is_some(), columns }))
@@ -96,7 +124,8 @@ impl LightSet {
 impl Columns {
     fn new(
         prepared: &Prepared,
-        clusters: &VplClusters,
+        SharedColumns { clusters, draws }: SharedColumns<'_>,
+        lights: &[VirtualLight],
         vpls: &[Option<u32>],
     ) -> Result<Self, GpuError> {
         let curve = curve(&clusters.lights);
@@ -107,9 +136,23 @@ impl Columns {
         }
         let of_vpl = |vpl: u32| column_of[clusters.of_lights[vpl as usize] as usize];
         let of_vpls: Vec<u32> = vpls.iter().map(|vpl| vpl.map_or(0, of_vpl)).collect();
+        // Of clusters of one there is nothing to draw.
+        let ends = match draws.filter(|_| clusters.lights.len() < lights.len()) {
+            Some(draws) => {
+                let of_lights: Vec<u32> = (0..lights.len() as u32).map(of_vpl).collect();
+                let columns = order.len();
+                let members = Members::new(prepared, lights, draws, &of_lights, columns)?;
+                ColumnEnds::Members(members)
+            }
+            None => {
+                let lights = &clusters.lights;
+                let buffer = upload(prepared, "VPL clusters", lights, &order, 1.0, None)?;
+                ColumnEnds::Representatives(buffer)
+            }
+        };
         Ok(Self {
             words: (order.len() / 32) as u32,
-            buffer: upload(prepared, "VPL clusters", &clusters.lights, &order, 1.0, None)?,
+            ends,
             of_vpls: prepared.gpu.texture_of("column_of", &of_vpls)?,
         })
     }

@@ -23,18 +23,35 @@ const RAYS_AT_ONCE_LARGE: u32 = 16;
 /// Traces the shadow rays of a set of lights.
 #[derive(Debug)]
 pub struct Tracer<'a> {
-    prepared: &'a Prepared,
+    pub(super) prepared: &'a Prepared,
     /// Words of lights in all, for progress.
     words: u32,
-    counter: wgpu::Buffer,
+    pub(super) counter: wgpu::Buffer,
     /// Shadow rays that an invocation traces in a dispatch; halved where a driver cuts their
     /// loops short.
     rays_at_once: Cell<u32>,
 }
 
+/// How the words of a set of lights are dealt to dispatches.
+pub(super) struct Slices<'a> {
+    /// Words in a dispatch, at most.
+    pub words: u32,
+    /// Workgroups over so many rows and words.
+    pub groups: &'a dyn Fn(u32, u32) -> [u32; 2],
+    /// As [`Tracer::rays_at_once`].
+    pub rays_at_once: &'a Cell<u32>,
+    /// What each needs first.
+    pub before: &'a dyn Fn(&VisibilityParams) -> Result<(), GpuError>,
+}
+
 /// How many shadow rays a dispatch may trace without taking many seconds.
 pub fn dispatch_rays(prepared: &Prepared) -> u32 {
     if is_large(prepared) { DISPATCH_RAYS_LARGE } else { DISPATCH_RAYS }
+}
+
+/// Words of lights that a dispatch over so many rows may have.
+pub(super) fn words_at_once(prepared: &Prepared, rows: u32) -> u32 {
+    (dispatch_rays(prepared) / (32 * rows.max(1))).max(1)
 }
 
 fn is_large(prepared: &Prepared) -> bool {
@@ -74,7 +91,9 @@ impl<'a> Tracer<'a> {
             first: 0,
             count: 32,
             first_point: 0,
-            pad: [0; 3],
+            words,
+            seed: 0,
+            pad: 0,
         }
     }
 
@@ -90,16 +109,39 @@ impl<'a> Tracer<'a> {
         phases: &mut Phases,
         progress: &dyn Fn(f64),
     ) -> Result<u64, GpuError> {
+        let points = 64 * self.prepared.tracing().points();
+        let slices = Slices {
+            words: words_at_once(self.prepared, params.rows),
+            groups: &|rows, words| [rows.div_ceil(points), words],
+            rays_at_once: &self.rays_at_once,
+            before: &|_| Ok(()),
+        };
+        let params = VisibilityParams { words, ..params };
+        self.trace_slices(visibility, params, &slices, phases, progress)
+    }
+
+    /// The same with `before` run for each run of words, and workgroups and rays at once as they say.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub(super) fn trace_slices(
+        &self,
+        visibility: &Stage,
+        params: VisibilityParams,
+        slices: &Slices<'_>,
+        phases: &mut Phases,
+        progress: &dyn Fn(f64),
+    ) -> Result<u64, GpuError> {
         let start = Instant::now();
-        let slice = (dispatch_rays(self.prepared) / (32 * params.rows)).max(1);
         let mut rays = 0;
-        for offset in (0..words).step_by(slice as usize) {
+        for offset in (0..params.words).step_by(slices.words as usize) {
             let first_word = params.matrix_word + offset;
             progress(f64::from(first_word) / f64::from(self.words));
-            let points = 64 * self.prepared.tracing().points();
-            let groups = [params.rows.div_ceil(points), slice.min(words - offset)];
-            let params = VisibilityParams { first_word, ..params };
-            rays += self.trace_words(visibility, params, groups)?;
+            let words = slices.words.min(params.words - offset);
+            let params = VisibilityParams { first_word, words, ..params };
+            (slices.before)(&params)?;
+            let groups = (slices.groups)(params.rows, words);
+            rays += self.trace_words(visibility, params, groups, slices.rays_at_once)?;
         }
         phases.visibility += start.elapsed();
         Ok(rays)
@@ -113,10 +155,11 @@ impl<'a> Tracer<'a> {
         visibility: &Stage,
         params: VisibilityParams,
         groups: [u32; 2],
+        at_once: &Cell<u32>,
     ) -> Result<u64, GpuError> {
         let gpu = &self.prepared.gpu;
         loop {
-            let count = self.rays_at_once.get();
+            let count = at_once.get();
             gpu.clear(&[&self.counter])?;
             for first in (0..32).step_by(count as usize) {
                 let params = VisibilityParams { first, count, ..params };
@@ -125,7 +168,7 @@ impl<'a> Tracer<'a> {
             let counter: Vec<u32> = gpu.read(&self.counter, 3)?;
             match counter[..] {
                 [low, high, 0] => return Ok(u64::from(high) << 32 | u64::from(low)),
-                _ if count > 1 => self.rays_at_once.set(count / 2),
+                _ if count > 1 => at_once.set(count / 2),
                 _ => return Err(GpuError::LoopCut),
             }
         }
