@@ -2,7 +2,7 @@
 
 use bytemuck::Zeroable;
 
-use super::members::Members;
+use super::members::{Draws, Members};
 use crate::gpu::{GlossyVplRecord, GpuError, Texture, VplRecord};
 use crate::render::clusters::VplClusters;
 use crate::render::kernels::Emitter;
@@ -56,15 +56,6 @@ pub struct SharedColumns<'a> {
     pub clusters: &'a VplClusters,
     /// How each row draws a member of each; none where their lights stand for them.
     pub draws: Option<Draws<'a>>,
-}
-
-/// How rows draw members of clusters.
-#[derive(Debug, Clone, Copy)]
-pub struct Draws<'a> {
-    /// Tells draws apart.
-    pub seed: u32,
-    /// Bounds the geometry terms that they go by.
-    pub bound: &'a GeometryBound,
 }
 
 /// The name by which shaders know lights that points gather.

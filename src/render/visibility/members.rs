@@ -2,7 +2,6 @@
 
 use std::cell::Cell;
 
-use super::light_set::Draws;
 use super::trace::{Slices, Tracer, words_at_once};
 use crate::gpu::{GpuError, TableFormat, Texture, VisibilityParams};
 use crate::render::kernels;
@@ -12,6 +11,15 @@ use crate::render::stage::{Named, Stage};
 use crate::render::virtual_light::{VirtualLight, curve};
 use crate::render::vpls::GeometryBound;
 use crate::sampling::hash;
+
+/// How rows draw members of clusters.
+#[derive(Debug, Clone, Copy)]
+pub struct Draws<'a> {
+    /// Tells draws apart.
+    pub seed: u32,
+    /// Bounds the geometry terms that they go by.
+    pub bound: &'a GeometryBound,
+}
 
 /// The members of clusters, cluster after cluster.
 #[derive(Debug)]
