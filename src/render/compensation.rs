@@ -17,23 +17,25 @@
 
 use std::time::{Duration, Instant};
 
-use super::camera::Tile;
+use super::camera::{FrameSetup, Tile};
+use super::filter::{FilterBuffers, LightFilter};
+use super::kernels::Filtered;
 use super::kernels::compensation as programs;
 use super::path::stages::next_event;
 use super::path::vertices::{Queue, Vertices};
 use super::path::{finding_light, finds_light, path_params};
 use super::prepared::Prepared;
-use super::settings::{Bounces, Settings};
-use super::stage::Stage;
+use super::settings::Bounces;
+use super::stage::{Named, Stage};
 use super::virtual_light::VirtualLight;
-use super::visibility::{self, VPL_BUFFER};
-use super::vpls::{GeometryBound, Vpl};
+use super::visibility;
+use super::vpls::{GeometryBound, Vpl, VplSet};
 use crate::gpu::{ArrivalRecord, CompensatedParams, GpuError, PathParams, StartParams};
 use crate::sampling::hash;
 
 /// Paths of a pixel, over all its samples, where pixels combine what they have gathered, which takes
 /// the noise off; and where they do not.
-const PATHS_OF_PIXEL: [u32; 2] = [8, 32];
+const PATHS_OF_PIXEL: [u32; 2] = [2, 32];
 /// Paths that are traced at once, at most, but one of each visible point: many, so that the stages
 /// themselves cost little in small images, where paths may be long.
 const AT_ONCE: usize = 1 << 19;
@@ -42,7 +44,7 @@ const STREAM: u32 = 0x636f_6d70;
 
 /// Gives back, tile by tile, what the bound on the geometry term removes.
 #[derive(Debug)]
-pub struct Compensation {
+pub struct Compensation<'a> {
     bound: f32,
     bounces: Bounces,
     /// Paths of each visible point, and how many of them are traced at once.
@@ -57,42 +59,54 @@ pub struct Compensation {
     lights: Vec<(Stage, u32)>,
     vpls: Stage,
     segment: Stage,
-    /// Adds what was given back to what the visible points gather.
+    /// Adds up what was given back.
     sum: Stage,
+    /// Where that is combined over pixels; else it goes to what visible points gather.
+    filter: Option<Filter<'a>>,
 }
 
-impl Compensation {
+/// Combines what is given back over pixels, and adds it to what visible points gather.
+#[derive(Debug)]
+struct Filter<'a> {
+    /// What each point has got back, and half the difference of the halves of its paths.
+    light: wgpu::Buffer,
+    filter: LightFilter<'a>,
+}
+
+impl<'a> Compensation<'a> {
     /// For tiles of at most so many visible points, whose light of `vpls` has this bound. The buffers
     /// are of the points, and of the irradiance that is added to.
     ///
     /// # Errors
     /// The device refuses.
     pub fn new(
-        prepared: &Prepared,
-        settings: &Settings,
-        seed: u32,
-        vpls: &[Vpl],
+        setup: &FrameSetup<'a>,
+        vpls: &VplSet,
         bound: &GeometryBound,
         [visible, irradiance]: [&wgpu::Buffer; 2],
-        points: usize,
+        tile: &[Named<'_>],
     ) -> Result<Self, GpuError> {
-        let gpu = &prepared.gpu;
+        let FrameSetup { prepared, settings, seed, .. } = *setup;
+        let (gpu, points) = (&prepared.gpu, setup.most_points());
+        let filters = settings.filters_compensation();
         let [combined, alone] = PATHS_OF_PIXEL;
-        let paths = if settings.interleaves() { combined } else { alone };
-        let paths = paths.div_ceil(settings.samples);
+        let paths = if filters { combined } else { alone }.div_ceil(settings.samples);
+        // The difference of two halves is what the filter takes the noise for.
+        let paths = if filters { paths.next_multiple_of(2) } else { paths };
         let at_once = (AT_ONCE / points).clamp(1, paths as usize);
         let slots = points * at_once;
         let vertices = Vertices::new(prepared, slots)?;
-        let (by_bounce, vpls_within) = by_bounces(vpls, prepared);
+        let (by_bounce, vpls_within) = by_bounces(&vpls.vpls, prepared);
         let table = visibility::table(prepared, &by_bounce, Some(bound))?;
         let arrivals = match prepared.features.phong {
             true => Some(gpu.storage::<ArrivalRecord>("arrivals", slots)?),
             false => None,
         };
         let mut named = vertices.named(prepared);
-        named.push((VPL_BUFFER, &table));
         named.extend(arrivals.iter().map(|buffer| ("arrivals", buffer)));
-        named.extend([("irradiance", irradiance), ("visible", visible)]);
+        let filter = filters.then(|| Filter::new(setup, paths, irradiance, tile)).transpose()?;
+        let sum = filter.as_ref().map_or(irradiance, |filter| &filter.light);
+        named.extend([("compensated", sum), ("visible", visible)]);
         let target = prepared.target();
         let areas = prepared.lights.have_surfaces();
         let cells = bound.upload(gpu)?;
@@ -107,7 +121,12 @@ impl Compensation {
             queue: Queue::new(prepared, &named, slots)?,
             start: bind(programs::start())?,
             lights: next_event(prepared, &named, &|kind| programs::next_event(target, kind))?,
-            vpls: bind(programs::vpls(target))?,
+            vpls: Stage::with_textures(
+                prepared,
+                &programs::vpls(target),
+                &named,
+                &[("vpl_table", &table)],
+            )?,
             segment: Stage::with_textures(
                 prepared,
                 &programs::segment(target, settings.bounces, areas),
@@ -116,6 +135,7 @@ impl Compensation {
             )?,
             sum: bind(programs::compensated(target))?,
             vertices,
+            filter,
         })
     }
 
@@ -125,14 +145,23 @@ impl Compensation {
     /// The device fails.
     pub fn add(&self, prepared: &Prepared, tile: Tile) -> Result<Duration, GpuError> {
         let start = Instant::now();
+        if let Some(Filter { light, filter }) = &self.filter {
+            prepared.gpu.clear(&[light])?;
+            filter.count(tile)?;
+        }
         for lobe in 0..prepared.target().lobes() as u32 {
             for first in (0..self.paths).step_by(self.at_once as usize) {
                 let paths = self.at_once.min(self.paths - first);
                 self.trace(prepared, tile, tile.sample * self.paths + first, paths, lobe)?;
                 let (points, share) = (tile.points(), 1.0 / self.paths as f32);
-                let params = CompensatedParams { points, share, lobe, paths };
+                let halves = if self.filter.is_some() { 1.0 } else { 0.0 };
+                let params =
+                    CompensatedParams { points, share, lobe, paths, first, halves, pad: [0; 2] };
                 self.sum.run(prepared, &params, [tile.blocks, 1])?;
             }
+        }
+        if let Some(Filter { filter, .. }) = &self.filter {
+            filter.combine(tile)?;
         }
         Ok(start.elapsed())
     }
@@ -197,6 +226,21 @@ impl Compensation {
             self.vpls.run(prepared, &PathParams { lights, ..*params }, groups)?;
         }
         Ok(())
+    }
+}
+
+impl<'a> Filter<'a> {
+    fn new(
+        setup: &FrameSetup<'a>,
+        paths: u32,
+        irradiance: &wgpu::Buffer,
+        tile: &[Named<'_>],
+    ) -> Result<Self, GpuError> {
+        let values = setup.most_points() * setup.prepared.target().lobes();
+        let light = setup.prepared.gpu.storage::<[f32; 4]>("compensated irradiance", values)?;
+        let buffers = FilterBuffers { from: &light, to: irradiance, tile };
+        let filter = LightFilter::new(setup, Filtered::Compensation, paths, &buffers)?;
+        Ok(Self { light, filter })
     }
 }
 

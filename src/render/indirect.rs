@@ -8,7 +8,7 @@ use super::clusters::PointClusters;
 use super::compensation::Compensation;
 use super::gather::{ClampedEnergy, Gather, Interleave, Irradiance};
 use super::prepared::Prepared;
-use super::result::{Phases, Progress, Tally};
+use super::result::{Progress, Tally};
 use super::stage::Named;
 use super::visibility::LightSet;
 use super::vpls::VplSet;
@@ -23,9 +23,7 @@ pub struct IndirectLight<'a> {
     interleave: Option<Interleave>,
     /// Where the geometry term is bounded.
     clamped: Option<ClampedEnergy>,
-    compensation: Option<Compensation>,
-    /// What bias compensation adds, where pixels combine it; else it goes into the irradiance.
-    compensated: Option<wgpu::Buffer>,
+    compensation: Option<Compensation<'a>>,
 }
 
 impl<'a> IndirectLight<'a> {
@@ -41,7 +39,7 @@ impl<'a> IndirectLight<'a> {
         irradiance: &Irradiance,
         clusters: Option<&PointClusters>,
     ) -> Result<Option<Self>, GpuError> {
-        let FrameSetup { prepared, settings, seed, tiling, .. } = *setup;
+        let FrameSetup { prepared, settings, tiling, .. } = *setup;
         let subsets = if settings.interleaves() { settings.interleave.pow(2) } else { 1 };
         let gathered = vpls.gathered(settings);
         let columns = vpls.clusters.as_ref();
@@ -52,45 +50,28 @@ impl<'a> IndirectLight<'a> {
         };
         let points = setup.most_points();
         let bound = vpls.bound.as_ref();
-        let compensates = bound.is_some() && settings.compensates();
-        let lobes = prepared.target().lobes();
-        let compensated = (compensates && settings.interleaves())
-            .then(|| prepared.gpu.storage::<[f32; 4]>("compensated irradiance", points * lobes))
-            .transpose()?;
+        let compensates = settings.compensates();
 
         let mut named = tile.named(prepared);
         named.push(irradiance.named());
-        named.extend(compensated.as_ref().map(|buffer| ("compensated", buffer)));
         let interleave = settings
             .interleaves()
             .then(|| Interleave::new(prepared, &tiling, &named, &irradiance.buffer, settings))
             .transpose()?;
-        let clamped = bound
-            .map(|_| ClampedEnergy::new(prepared, &named, points, compensated.is_some()))
+        let clamped = bound.map(|_| ClampedEnergy::new(prepared, &named, points)).transpose()?;
+        let compensation = bound
+            .filter(|_| compensates)
+            .map(|bound| {
+                Compensation::new(setup, vpls, bound, [&tile.points, &irradiance.buffer], &named)
+            })
             .transpose()?;
-        let compensation = match bound.filter(|_| compensates) {
-            Some(bound) => {
-                let output = compensated.as_ref().unwrap_or(&irradiance.buffer);
-                let vpls = &vpls.vpls;
-                Some(Compensation::new(
-                    prepared,
-                    settings,
-                    seed,
-                    vpls,
-                    bound,
-                    [&tile.points, output],
-                    points,
-                )?)
-            }
-            None => None,
-        };
         // The first buffer of a name counts.
         let subsets: Vec<Named<'_>> = interleave.iter().flat_map(Interleave::named).collect();
         let most = interleave.as_ref().map(|interleave| interleave.most_points(&tiling));
         let most = most.unwrap_or(tiling.most_points());
         let gather =
             Gather::new(prepared, lights, clusters, &[&subsets[..], &named].concat(), most)?;
-        Ok(Some(Self { prepared, gather, interleave, clamped, compensation, compensated }))
+        Ok(Some(Self { prepared, gather, interleave, clamped, compensation }))
     }
 
     /// Traces the rows of the clusters, once a frame, if there are any.
@@ -150,7 +131,6 @@ impl<'a> IndirectLight<'a> {
         let show = |share| progress(share, "indirect light");
         match &self.interleave {
             Some(interleave) => {
-                self.compensate(tile, phases, progress)?;
                 phases.shading += interleave.split(prepared, tile)?;
                 let points = interleave.subsets(tile).points();
                 counts.shadow_rays += self.gather.gather(points, phases, &show)?;
@@ -164,8 +144,9 @@ impl<'a> IndirectLight<'a> {
         if let Some(clamped) = &self.clamped {
             phases.shading += clamped.count(prepared, tile)?;
         }
-        if self.interleave.is_none() {
-            self.compensate(tile, phases, progress)?;
+        if let Some(compensation) = &self.compensation {
+            progress(0.5, "compensation");
+            phases.compensation += compensation.add(prepared, tile)?;
         }
         counts.shading_terms += self.gather.terms(u64::from(tile.points()));
         Ok(())
@@ -177,21 +158,5 @@ impl<'a> IndirectLight<'a> {
     /// The device fails.
     pub fn add_energy(&self, tile: Tile, sum: &mut [f64; 2]) -> Result<(), GpuError> {
         self.clamped.as_ref().map_or(Ok(()), |clamped| clamped.add_to(self.prepared, tile, sum))
-    }
-
-    /// What the bound on G took, to what the visible points of a tile gather.
-    fn compensate(
-        &self,
-        tile: Tile,
-        phases: &mut Phases,
-        progress: Progress<'_>,
-    ) -> Result<(), GpuError> {
-        let Some(compensation) = &self.compensation else { return Ok(()) };
-        progress(0.0, "compensation");
-        if let Some(compensated) = &self.compensated {
-            self.prepared.gpu.clear(&[compensated])?;
-        }
-        phases.compensation += compensation.add(self.prepared, tile)?;
-        Ok(())
     }
 }

@@ -266,6 +266,11 @@ impl Settings {
         self.compensate && self.traces_light_paths() && self.clamp != Clamp::Off
     }
 
+    /// Whether what is given back is combined over pixels.
+    pub fn filters_compensation(&self) -> bool {
+        self.compensates() && self.interleaves()
+    }
+
     /// Whether VPLs share the visibility of their cluster.
     pub fn shares_columns(&self) -> bool {
         self.method.clusters_vpls() && self.clustering.merge == Merge::Visibility

@@ -4,6 +4,6 @@ mod light_set;
 mod probes;
 mod trace;
 
-pub use light_set::{LightSet, VPL_BUFFER, table};
+pub use light_set::{LightSet, table};
 pub use probes::Probes;
 pub use trace::{Tracer, dispatch_rays};

@@ -295,6 +295,12 @@ pub struct CompensatedParams {
     pub lobe: u32,
     /// Paths of each point.
     pub paths: u32,
+    /// The number of the first.
+    pub first: u32,
+    /// 1 if the difference of the halves of the paths is wanted, else 0.
+    pub halves: f32,
+    /// Unused.
+    pub pad: [u32; 2],
 }
 
 /// What arrives at a vertex of bias compensation in scenes with Phong surfaces, 32 bytes.

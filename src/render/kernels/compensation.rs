@@ -3,8 +3,8 @@
 use super::catalogue::{
     COMPENSATION_ADD, COMPENSATION_BOUND, COMPENSATION_CONTRIBUTION, COMPENSATION_DIFFUSE,
     COMPENSATION_GLOSSY, COMPENSATION_SEGMENT, COMPENSATION_SHARE, COMPENSATION_START,
-    COMPENSATION_VPLS, EMITTER_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PATH_STATE,
-    SAMPLING, SEEN_ALL, TABLE, TYPES,
+    COMPENSATION_SURVIVAL, COMPENSATION_VPLS, EMITTER_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE,
+    PAIR_GLOSSY, PATH_STATE, SAMPLING, SEEN_ALL, TABLE, TYPES, VPL_TABLE, VPL_TABLE_GLOSSY,
 };
 use super::materials::{gathered, lobes};
 use super::path::{next_event_by, segments, vertex};
@@ -28,9 +28,12 @@ pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
 
 /// Light of VPLs at vertices.
 pub fn vpls(target: Target) -> Program {
-    let pair = if target.features.phong { &PAIR_GLOSSY } else { &PAIR_DIFFUSE };
+    let [table, pair] = match target.features.phong {
+        true => [&VPL_TABLE_GLOSSY, &PAIR_GLOSSY],
+        false => [&VPL_TABLE, &PAIR_DIFFUSE],
+    };
     let mut last = carried(target);
-    last.extend([vpl(target), &PAIR_BOUNDED, &EMITTER_SURFACE, &SEEN_ALL, pair]);
+    last.extend([vpl(target), &TABLE, table, &PAIR_BOUNDED, &EMITTER_SURFACE, &SEEN_ALL, pair]);
     last.push(&COMPENSATION_VPLS);
     Program::new("compensation, VPLs", vertex(target, &last))
 }
@@ -51,7 +54,7 @@ pub fn compensated(target: Target) -> Program {
 /// What is carried from vertex to vertex.
 fn carried(target: Target) -> Vec<&'static Module> {
     let of = if target.features.phong { &COMPENSATION_GLOSSY } else { &COMPENSATION_DIFFUSE };
-    [&lobes(target)[..], &[&COMPENSATION_SHARE, of]].concat()
+    [&lobes(target)[..], &[&COMPENSATION_SHARE, &COMPENSATION_SURVIVAL, of]].concat()
 }
 
 /// Every program of bias compensation for a target.

@@ -3,10 +3,10 @@
 use super::Plan;
 use crate::gpu::Program;
 use crate::render::kernels::{
-    self, Emitter, LightRays, antialias, background, clamped_energy, compensation,
-    discontinuity_buffer, emit, expand, first_rays, join_subsets, link_rays, pack_columns, path,
-    reflect, replace_points, resolve, resolve_rays, shade, show, split_subsets, unseen_surfaces,
-    visible_points,
+    self, Emitter, FilterPrograms, Filtered, LightRays, antialias, background, clamped_energy,
+    compensation, discontinuity_buffer, emit, expand, first_rays, join_subsets, link_rays,
+    pack_columns, path, reflect, replace_points, resolve, resolve_rays, shade, show, split_subsets,
+    unseen_surfaces, visible_points,
 };
 use crate::render::lights::LightKind;
 use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
@@ -48,15 +48,14 @@ impl Plan {
                 shade(target, bounded, settings.sharing(), Emitter::Surface),
                 reflect(target),
             ]);
-            let combined = settings.compensates() && settings.interleaves();
-            programs.extend(bounded.then(|| clamped_energy(target, combined)));
+            programs.extend(bounded.then(|| clamped_energy(target)));
             if settings.shares_columns() {
                 programs.extend([pack_columns(), expand()]);
             }
             if settings.interleaves() {
                 programs.extend([
                     split_subsets(),
-                    join_subsets(target, settings.probes(), settings.compensates()),
+                    join_subsets(target, settings.probes()),
                     discontinuity_buffer(target, false),
                     discontinuity_buffer(target, true),
                 ]);
@@ -103,6 +102,9 @@ impl Plan {
         programs.extend([compensation::vpls(target), compensation::compensated(target)]);
         let areas = self.lights.have_surfaces();
         programs.push(compensation::segment(target, settings.bounces, areas));
+        if settings.filters_compensation() {
+            programs.extend(self.filter_programs(Filtered::Compensation).all());
+        }
         programs
     }
 
@@ -125,7 +127,7 @@ impl Plan {
                 programs.extend(self.direct_guide_programs(&sampled));
             }
             if settings.filters_direct() {
-                programs.extend(self.direct_filter_programs());
+                programs.extend(self.filter_programs(Filtered::Direct).all());
             }
         }
         programs
@@ -156,19 +158,9 @@ impl Plan {
         kernels::direct_lobe_rays(self.target(), kinds, light_rays(settings))
     }
 
-    /// The filter of direct light: surfaces, counts of light samples, light, local means, and levels
-    /// near, far and last.
-    pub fn direct_filter_programs(&self) -> [Program; 7] {
-        let target = self.target();
-        [
-            kernels::pack_surfaces(target),
-            kernels::ray_counts(target),
-            kernels::pack_light(target),
-            kernels::filter_guide(),
-            kernels::filter_level(target, true, false),
-            kernels::filter_level(target, false, false),
-            kernels::filter_level(target, false, true),
-        ]
+    /// What filters light over pixels.
+    pub fn filter_programs(&self, filtered: Filtered) -> FilterPrograms {
+        FilterPrograms::new(self.target(), filtered)
     }
 
     /// Shadow rays between points and lights.

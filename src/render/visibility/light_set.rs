@@ -2,7 +2,7 @@
 
 use bytemuck::Zeroable;
 
-use crate::gpu::{GlossyVplRecord, GpuError, Texture, VplRecord};
+use crate::gpu::{GlossyVplRecord, Gpu, GpuError, Texture, VplRecord};
 use crate::render::clusters::VplClusters;
 use crate::render::kernels::Emitter;
 use crate::render::prepared::Prepared;
@@ -39,10 +39,7 @@ pub struct Columns {
     pub of_vpls: Texture,
 }
 
-/// The name by which shaders know lights that points gather.
-pub const VPL_BUFFER: &str = "vpls";
-
-/// Uploads lights in their order.
+/// Lights in their order, in a table.
 ///
 /// # Errors
 /// The device refuses.
@@ -50,9 +47,18 @@ pub fn table(
     prepared: &Prepared,
     lights: &[VirtualLight],
     bound: Option<&GeometryBound>,
-) -> Result<wgpu::Buffer, GpuError> {
-    let order: Vec<_> = (0..lights.len() as u32).map(Some).collect();
-    upload(prepared, "VPLs by bounces", lights, &order, 1.0, bound)
+) -> Result<Texture, GpuError> {
+    fn of<T: bytemuck::Pod>(
+        gpu: &Gpu,
+        lights: &[VirtualLight],
+        record: impl Fn(&VirtualLight) -> T,
+    ) -> Result<Texture, GpuError> {
+        gpu.texture_of("vpl_table", &lights.iter().map(record).collect::<Vec<_>>())
+    }
+    match prepared.features.phong {
+        true => of(&prepared.gpu, lights, |light| glossy(light, 1.0, bound)),
+        false => of(&prepared.gpu, lights, |light| diffuse(light, 1.0, bound)),
+    }
 }
 
 impl LightSet {

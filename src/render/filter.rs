@@ -1,5 +1,5 @@
-//! The filter of direct light: light samples are combined over pixels that see the same surface, as far
-//! as their noise hides a difference. An à-trous filter (Dammertz et al., "Edge-Avoiding À-Trous
+//! A filter of noisy light, straight from its source or what bias compensation gives back: samples are
+//! combined over pixels that see the same surface, as far as their noise hides a difference. An à-trous filter (Dammertz et al., "Edge-Avoiding À-Trous
 //! Wavelet Transform for fast Global Illumination Filtering", HPG 2010) under control of its own
 //! variance (Schied et al., "Spatiotemporal Variance-Guided Filtering", HPG 2017), which the halves of
 //! the samples of a pixel tell.
@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use crate::gpu::{FilterParams, GpuError, Program, TableFormat};
 use crate::render::camera::{FrameSetup, Tile};
+use crate::render::kernels::Filtered;
 use crate::render::prepared::Prepared;
 use crate::render::stage::{Named, NamedTexture, Stage};
 
@@ -19,9 +20,20 @@ const TOLERANCE: f32 = 2.25;
 /// Of those, whose taps are among the 5 × 5 pixels around.
 const NEAR_LEVELS: u32 = 2;
 
+/// The buffers that the filter reads and writes.
+#[derive(Debug)]
+pub struct FilterBuffers<'a> {
+    /// What points have gathered; in w, half the difference of the halves of their samples.
+    pub from: &'a wgpu::Buffer,
+    /// What points gather, which the last level's result replaces, or is added to.
+    pub to: &'a wgpu::Buffer,
+    /// The tile's.
+    pub tile: &'a [Named<'a>],
+}
+
 /// The stages of the filter, and its buffers.
 #[derive(Debug)]
-pub struct DirectFilter<'a> {
+pub struct LightFilter<'a> {
     prepared: &'a Prepared,
     /// Blocks across the image.
     across: u32,
@@ -36,17 +48,17 @@ pub struct DirectFilter<'a> {
     levels: Vec<Stage>,
 }
 
-impl<'a> DirectFilter<'a> {
-    /// For the irradiance among the named buffers of a tile, of points that take `rays` samples or,
-    /// where few pixels are like them, more.
+impl<'a> LightFilter<'a> {
+    /// For light of points that take `rays` samples or, where few pixels are like them, more; for
+    /// bias compensation, paths.
     ///
     /// # Errors
     /// The device refuses.
     pub fn new(
         setup: &FrameSetup<'a>,
+        filtered: Filtered,
         rays: u32,
-        irradiance: Named<'_>,
-        named: &[Named<'_>],
+        buffers: &FilterBuffers<'_>,
     ) -> Result<Self, GpuError> {
         let FrameSetup { prepared, settings, tiling, .. } = *setup;
         let (gpu, points) = (&prepared.gpu, setup.most_points());
@@ -60,29 +72,31 @@ impl<'a> DirectFilter<'a> {
             gpu.table("light to combine", values, TableFormat::Quadruples)?,
             gpu.table("combined light", values, TableFormat::Quadruples)?,
         ];
-        let own = [("like_pixels", &like_pixels), ("ray_counts", &ray_counts), irradiance];
-        let named = [&own[..], named].concat();
+        let own = [("like_pixels", &like_pixels), ("ray_counts", &ray_counts)];
+        let named = |light| [&own[..], &[("irradiance", light)], buffers.tile].concat();
+        let [from, to] = [named(buffers.from), named(buffers.to)];
         let bind = |program: &Program, textures: &[NamedTexture<'_>]| {
-            Stage::with_textures(prepared, program, &named, textures)
+            Stage::with_textures(prepared, program, &from, textures)
         };
-        let [pack, counts, pack_light, guide, near, far, last] = prepared.direct_filter_programs();
+        let programs = prepared.filter_programs(filtered);
         let levels = (0..LEVELS).map(|level| {
             let program = match level {
-                level if level + 1 == LEVELS => &last,
-                level if level < NEAR_LEVELS => &near,
-                _ => &far,
+                level if level + 1 == LEVELS => &programs.last,
+                level if level < NEAR_LEVELS => &programs.near,
+                _ => &programs.far,
             };
             // From either table to the other.
-            let [from, to] = [level % 2, (level + 1) % 2].map(|i| &light[i as usize]);
-            let textures = [("light", from), ("stored_light", to), ("means", &local_means)];
-            bind(program, &[&textures[..], &[("surface_table", &surfaces)]].concat())
+            let [read, written] = [level % 2, (level + 1) % 2].map(|i| &light[i as usize]);
+            let textures = [("light", read), ("stored_light", written), ("means", &local_means)];
+            let textures = [&textures[..], &[("surface_table", &surfaces)]].concat();
+            Stage::with_textures(prepared, program, &to, &textures)
         });
         Ok(Self {
             levels: levels.collect::<Result<_, _>>()?,
-            surfaces: bind(&pack, &[("packed_surfaces", &surfaces)])?,
-            counts: bind(&counts, &[("surface_table", &surfaces)])?,
-            light: bind(&pack_light, &[("stored_light", &light[0]), ("packed_means", &means)])?,
-            means: bind(&guide, &[("means", &means), ("packed_means", &local_means)])?,
+            surfaces: bind(&programs.surfaces, &[("packed_surfaces", &surfaces)])?,
+            counts: bind(&programs.counts, &[("surface_table", &surfaces)])?,
+            light: bind(&programs.light, &[("stored_light", &light[0]), ("packed_means", &means)])?,
+            means: bind(&programs.means, &[("means", &means), ("packed_means", &local_means)])?,
             ray_counts,
             params: FilterParams {
                 rays,
