@@ -1,5 +1,5 @@
 // Light of virtual point lights at the vertices of bias compensation, bounded as at visible points:
-// of several drawn evenly, one by what it would give unshadowed. Talbot, Cline and Egbert,
+// of several drawn evenly, one by what it is thought to give. Talbot, Cline and Egbert,
 // "Importance Resampling for Global Illumination", EGSR 2005.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
@@ -20,6 +20,7 @@ fn main(
     let point = points[slot];
     let receiver = receiver_of(point);
     let by = returning(slot, point);
+    let sight = sight_of(slot);
     let random = path_random(slot, paths[slot].stream, ROULETTE_DIMENSIONS);
     var chosen = 0u;
     var back = vec3f(0.0);
@@ -34,7 +35,7 @@ fn main(
         let between = vpl.position - point.position;
         let toward = between * inverseSqrt(max(dot(between, between), 1e-37));
         let candidate = gathered_back(by, toward, pair_of(receiver, vpl, 1u, 1u));
-        let gives = (candidate.x + candidate.y + candidate.z) / 3.0;
+        let gives = thought_seen(sight, index) * (candidate.x + candidate.y + candidate.z) / 3.0;
         sum += gives;
         let share = select(0.0, gives / sum, gives > 0.0);
         if u < share {

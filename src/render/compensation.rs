@@ -15,10 +15,13 @@
 //! What paths from the camera do not find is not given back: light of lights without extent that
 //! mirrors or glass turn onto a surface, of which VPLs have the bounded share.
 
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use super::camera::{FrameSetup, Tile};
+use super::clusters::PointClusters;
 use super::filter::{FilterBuffers, LightFilter};
+use super::gather::Sights;
 use super::kernels::Filtered;
 use super::kernels::compensation as programs;
 use super::path::stages::next_event;
@@ -27,7 +30,6 @@ use super::path::{finding_light, finds_light, path_params};
 use super::prepared::Prepared;
 use super::settings::Bounces;
 use super::stage::{Named, Stage};
-use super::virtual_light::VirtualLight;
 use super::visibility;
 use super::vpls::{GeometryBound, Vpl, VplSet};
 use crate::gpu::{ArrivalRecord, CompensatedParams, GpuError, PathParams, StartParams};
@@ -61,6 +63,9 @@ pub struct Compensation<'a> {
     segment: Stage,
     /// Adds up what was given back.
     sum: Stage,
+    /// The cluster of each visible point, and how many there are in fours, where they share what
+    /// they see.
+    clusters: Option<(wgpu::Buffer, u32)>,
     /// Where that is combined over pixels; else it goes to what visible points gather.
     filter: Option<Filter<'a>>,
 }
@@ -83,6 +88,7 @@ impl<'a> Compensation<'a> {
         setup: &FrameSetup<'a>,
         vpls: &VplSet,
         bound: &GeometryBound,
+        sights: Option<Sights<'_>>,
         [visible, irradiance]: [&wgpu::Buffer; 2],
         tile: &[Named<'_>],
     ) -> Result<Self, GpuError> {
@@ -96,7 +102,9 @@ impl<'a> Compensation<'a> {
         let at_once = (AT_ONCE / points).clamp(1, paths as usize);
         let slots = points * at_once;
         let vertices = Vertices::new(prepared, slots)?;
-        let (by_bounce, vpls_within) = by_bounces(&vpls.vpls, prepared);
+        let (order, vpls_within) = by_bounces(&vpls.vpls);
+        let by_bounce: Vec<_> =
+            order.iter().map(|&at| vpls.vpls[at as usize].light(&prepared.scene)).collect();
         let table = visibility::table(prepared, &by_bounce, Some(bound))?;
         let arrivals = match prepared.features.phong {
             true => Some(gpu.storage::<ArrivalRecord>("arrivals", slots)?),
@@ -110,6 +118,9 @@ impl<'a> Compensation<'a> {
         let target = prepared.target();
         let areas = prepared.lights.have_surfaces();
         let cells = bound.upload(gpu)?;
+        let clusters = sights
+            .map(|sights| Ok((gpu.storage::<u32>("clusters of points", points)?, sights.quads)))
+            .transpose()?;
         let bind = |program| Stage::new(prepared, &program, &named);
         Ok(Self {
             bound: bound.least(),
@@ -121,12 +132,29 @@ impl<'a> Compensation<'a> {
             queue: Queue::new(prepared, &named, slots)?,
             start: bind(programs::start())?,
             lights: next_event(prepared, &named, &|kind| programs::next_event(target, kind))?,
-            vpls: Stage::with_textures(
-                prepared,
-                &programs::vpls(target),
-                &named,
-                &[("vpl_table", &table)],
-            )?,
+            vpls: match (sights, &vpls.clusters, &clusters) {
+                (Some(sights), Some(of), Some((points, _))) => {
+                    let column = |&at: &u32| sights.of_clusters[of.of_lights[at as usize] as usize];
+                    let columns: Vec<u32> = order.iter().map(column).collect();
+                    let columns = gpu.texture_of("column_of", &columns)?;
+                    Stage::with_textures(
+                        prepared,
+                        &programs::vpls(target, true),
+                        &[&[("cluster_of", points)], &named[..]].concat(),
+                        &[
+                            ("vpl_table", &table),
+                            ("column_bits", sights.table),
+                            ("column_of", &columns),
+                        ],
+                    )?
+                }
+                _ => Stage::with_textures(
+                    prepared,
+                    &programs::vpls(target, false),
+                    &named,
+                    &[("vpl_table", &table)],
+                )?,
+            },
             segment: Stage::with_textures(
                 prepared,
                 &programs::segment(target, settings.bounces, areas),
@@ -135,8 +163,25 @@ impl<'a> Compensation<'a> {
             )?,
             sum: bind(programs::compensated(target))?,
             vertices,
+            clusters,
             filter,
         })
+    }
+
+    /// Tells which clusters the points of a tile are in, a range of the frame's.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn set_clusters(
+        &self,
+        prepared: &Prepared,
+        clusters: &PointClusters,
+        points: Range<usize>,
+    ) -> Result<(), GpuError> {
+        match &self.clusters {
+            Some((buffer, _)) => prepared.gpu.write(buffer, &clusters.nearest(points)),
+            None => Ok(()),
+        }
     }
 
     /// Adds to what the visible points of a tile gather what the bound removes of it.
@@ -186,6 +231,7 @@ impl<'a> Compensation<'a> {
             samples: paths,
             bound: self.bound,
             lobe,
+            quads: self.clusters.as_ref().map_or(0, |(_, quads)| *quads),
             ..path_params(prepared)
         };
         params.paths = self.queue.survivors(prepared, &params)?;
@@ -245,7 +291,7 @@ impl<'a> Filter<'a> {
 }
 
 /// VPLs in the order of their bounces, and how many there are of at most 0, 1, 2, … bounces.
-fn by_bounces(vpls: &[Vpl], prepared: &Prepared) -> (Vec<VirtualLight>, Vec<u32>) {
+fn by_bounces(vpls: &[Vpl]) -> (Vec<u32>, Vec<u32>) {
     let most = vpls.iter().map(|vpl| vpl.bounce).max().unwrap_or(0);
     let mut within = vec![0; most as usize + 1];
     for vpl in vpls {
@@ -256,7 +302,7 @@ fn by_bounces(vpls: &[Vpl], prepared: &Prepared) -> (Vec<VirtualLight>, Vec<u32>
         sum += *count;
         *count = sum;
     }
-    let mut order: Vec<&Vpl> = vpls.iter().collect();
-    order.sort_by_key(|vpl| vpl.bounce);
-    (order.into_iter().map(|vpl| vpl.light(&prepared.scene)).collect(), within)
+    let mut order: Vec<u32> = (0..vpls.len() as u32).collect();
+    order.sort_by_key(|&at| vpls[at as usize].bounce);
+    (order, within)
 }

@@ -8,4 +8,4 @@ mod many_lights;
 pub use clamped::ClampedEnergy;
 pub use interleave::Interleave;
 pub use irradiance::Irradiance;
-pub use many_lights::{Gather, chunk_words};
+pub use many_lights::{Gather, Sights, chunk_words};

@@ -59,18 +59,20 @@ impl<'a> IndirectLight<'a> {
             .then(|| Interleave::new(prepared, &tiling, &named, &irradiance.buffer, settings))
             .transpose()?;
         let clamped = bound.map(|_| ClampedEnergy::new(prepared, &named, points)).transpose()?;
-        let compensation = bound
-            .filter(|_| compensates)
-            .map(|bound| {
-                Compensation::new(setup, vpls, bound, [&tile.points, &irradiance.buffer], &named)
-            })
-            .transpose()?;
         // The first buffer of a name counts.
         let subsets: Vec<Named<'_>> = interleave.iter().flat_map(Interleave::named).collect();
         let most = interleave.as_ref().map(|interleave| interleave.most_points(&tiling));
         let most = most.unwrap_or(tiling.most_points());
         let gather =
             Gather::new(prepared, lights, clusters, &[&subsets[..], &named].concat(), most)?;
+        let compensation = match bound.filter(|_| compensates) {
+            Some(bound) => {
+                let buffers = [&tile.points, &irradiance.buffer];
+                let sights = gather.sights();
+                Some(Compensation::new(setup, vpls, bound, sights, buffers, &named)?)
+            }
+            None => None,
+        };
         Ok(Some(Self { prepared, gather, interleave, clamped, compensation }))
     }
 
@@ -102,6 +104,9 @@ impl<'a> IndirectLight<'a> {
     ) -> Result<(), GpuError> {
         if let (Some(interleave), Some(seen)) = (&self.interleave, signatures) {
             interleave.set_signatures(self.prepared, &seen[points.clone()])?;
+        }
+        if let Some(compensation) = &self.compensation {
+            compensation.set_clusters(self.prepared, clusters, points.clone())?;
         }
         let subsets = self.interleave.as_ref().map(|interleave| interleave.subsets(tile));
         self.gather.set_clusters(clusters, points, subsets.as_ref())

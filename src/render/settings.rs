@@ -276,6 +276,11 @@ impl Settings {
         self.method.clusters_vpls() && self.clustering.merge == Merge::Visibility
     }
 
+    /// Whether clusters of visible points share what they see of clusters of VPLs.
+    pub fn shares_sights(&self) -> bool {
+        self.shares_columns() && self.method.clusters_points()
+    }
+
     /// Whether pixels are antialiased by more camera rays than the samples.
     pub fn antialiases(&self) -> bool {
         let few = self.edge_samples > self.samples;

@@ -267,6 +267,10 @@ pub struct PathParams {
     pub bound: f32,
     /// By which the paths of bias compensation leave the visible point: 0 diffuse, 1 glossy.
     pub lobe: u32,
+    /// Rows of the visibility that clusters share, in fours.
+    pub quads: u32,
+    /// Unused.
+    pub pad: [u32; 3],
 }
 
 /// Parameters of the stage that starts bias compensation.

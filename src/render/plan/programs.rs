@@ -99,7 +99,10 @@ impl Plan {
         let target = self.target();
         let mut programs = vec![compensation::start(), path::count(), path::compact()];
         programs.extend(self.kinds().filter_map(|kind| compensation::next_event(target, kind)));
-        programs.extend([compensation::vpls(target), compensation::compensated(target)]);
+        programs.extend([
+            compensation::vpls(target, settings.shares_sights()),
+            compensation::compensated(target),
+        ]);
         let areas = self.lights.have_surfaces();
         programs.push(compensation::segment(target, settings.bounces, areas));
         if settings.filters_compensation() {

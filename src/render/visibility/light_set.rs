@@ -37,6 +37,8 @@ pub struct Columns {
     pub buffer: wgpu::Buffer,
     /// The cluster of each VPL, filled up to whole words.
     pub of_vpls: Texture,
+    /// The place of the column of each cluster.
+    pub of_clusters: Vec<u32>,
 }
 
 /// Lights in their order, in a table.
@@ -117,6 +119,7 @@ impl Columns {
             words: (order.len() / 32) as u32,
             buffer: upload(prepared, "VPL clusters", &clusters.lights, &order, 1.0, None)?,
             of_vpls: prepared.gpu.texture_of("column_of", &of_vpls)?,
+            of_clusters: column_of,
         })
     }
 }
