@@ -266,6 +266,12 @@ impl Settings {
         self.compensate && self.traces_light_paths() && self.clamp != Clamp::Off
     }
 
+    /// Whether little time and noise give back what the bound on G removes: pixels combine it, and
+    /// the bound is the one that suits it.
+    pub fn compensates_cheaply(&self) -> bool {
+        self.interleaves() && self.clamp == Clamp::Auto
+    }
+
     /// Whether what is given back is combined over pixels.
     pub fn filters_compensation(&self) -> bool {
         self.compensates() && self.interleaves()
