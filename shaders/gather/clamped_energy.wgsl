@@ -11,5 +11,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let point = points[id.x];
     if point.surface == NOTHING { return; }
     let albedo = albedo_of(id.x, point);
-    energy[id.x] += reflected_and_clamped(point, albedo, irradiance[id.x]);
+    let light = without_compensation(id.x, irradiance[id.x]);
+    energy[id.x] += reflected_and_clamped(point, albedo, light);
 }

@@ -15,7 +15,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let subset = (place.x + s * place.y + params.rotation) % (s * s);
     let from_point = subset * params.subset_points + point_of(pixel / vec2u(s), params.subset_width);
     let index = point_of(pixel, params.width);
-    store_light(index, id.x, irradiance[from_point]);
+    store_light(index, id.x, with_compensation(index, irradiance[from_point]));
     let point = points[index];
     let code = surface_code(point) | (signature_of(index) << 24u);
     textureStore(packed_surfaces, table_place(id.x), vec4u(bitcast<vec3u>(point.position), code));

@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 
 use super::camera::{FrameSetup, Tile};
 use super::clusters::PointClusters;
-use super::filter::{FilterBuffers, LightFilter};
+use super::filter::LightFilter;
 use super::gather::Sights;
 use super::kernels::Filtered;
 use super::kernels::compensation as programs;
@@ -66,16 +66,8 @@ pub struct Compensation<'a> {
     /// The cluster of each visible point, and how many there are in fours, where they share what
     /// they see.
     clusters: Option<(wgpu::Buffer, u32)>,
-    /// Where that is combined over pixels; else it goes to what visible points gather.
-    filter: Option<Filter<'a>>,
-}
-
-/// Combines what is given back over pixels, and adds it to what visible points gather.
-#[derive(Debug)]
-struct Filter<'a> {
-    /// What each point has got back, and half the difference of the halves of its paths.
-    light: wgpu::Buffer,
-    filter: LightFilter<'a>,
+    /// Where that is combined over pixels.
+    filter: Option<LightFilter<'a>>,
 }
 
 impl<'a> Compensation<'a> {
@@ -89,7 +81,7 @@ impl<'a> Compensation<'a> {
         vpls: &VplSet,
         bound: &GeometryBound,
         sights: Option<Sights<'_>>,
-        [visible, irradiance]: [&wgpu::Buffer; 2],
+        [visible, output]: [&wgpu::Buffer; 2],
         tile: &[Named<'_>],
     ) -> Result<Self, GpuError> {
         let FrameSetup { prepared, settings, seed, .. } = *setup;
@@ -112,9 +104,10 @@ impl<'a> Compensation<'a> {
         };
         let mut named = vertices.named(prepared);
         named.extend(arrivals.iter().map(|buffer| ("arrivals", buffer)));
-        let filter = filters.then(|| Filter::new(setup, paths, irradiance, tile)).transpose()?;
-        let sum = filter.as_ref().map_or(irradiance, |filter| &filter.light);
-        named.extend([("compensated", sum), ("visible", visible)]);
+        let of = Filtered::Compensation;
+        let filter =
+            filters.then(|| LightFilter::new(setup, of, paths, output, tile)).transpose()?;
+        named.extend([("compensated", output), ("visible", visible)]);
         let target = prepared.target();
         let areas = prepared.lights.have_surfaces();
         let cells = bound.upload(gpu)?;
@@ -190,8 +183,7 @@ impl<'a> Compensation<'a> {
     /// The device fails.
     pub fn add(&self, prepared: &Prepared, tile: Tile) -> Result<Duration, GpuError> {
         let start = Instant::now();
-        if let Some(Filter { light, filter }) = &self.filter {
-            prepared.gpu.clear(&[light])?;
+        if let Some(filter) = &self.filter {
             filter.count(tile)?;
         }
         for lobe in 0..prepared.target().lobes() as u32 {
@@ -205,7 +197,7 @@ impl<'a> Compensation<'a> {
                 self.sum.run(prepared, &params, [tile.blocks, 1])?;
             }
         }
-        if let Some(Filter { filter, .. }) = &self.filter {
+        if let Some(filter) = &self.filter {
             filter.combine(tile)?;
         }
         Ok(start.elapsed())
@@ -272,21 +264,6 @@ impl<'a> Compensation<'a> {
             self.vpls.run(prepared, &PathParams { lights, ..*params }, groups)?;
         }
         Ok(())
-    }
-}
-
-impl<'a> Filter<'a> {
-    fn new(
-        setup: &FrameSetup<'a>,
-        paths: u32,
-        irradiance: &wgpu::Buffer,
-        tile: &[Named<'_>],
-    ) -> Result<Self, GpuError> {
-        let values = setup.most_points() * setup.prepared.target().lobes();
-        let light = setup.prepared.gpu.storage::<[f32; 4]>("compensated irradiance", values)?;
-        let buffers = FilterBuffers { from: &light, to: irradiance, tile };
-        let filter = LightFilter::new(setup, Filtered::Compensation, paths, &buffers)?;
-        Ok(Self { light, filter })
     }
 }
 

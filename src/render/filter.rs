@@ -36,17 +36,6 @@ fn tolerance(filtered: Filtered) -> f32 {
 /// The first levels, whose taps are among the 5 × 5 pixels around.
 const NEAR_LEVELS: u32 = 2;
 
-/// The buffers that the filter reads and writes.
-#[derive(Debug)]
-pub struct FilterBuffers<'a> {
-    /// What points have gathered; in w, half the difference of the halves of their samples.
-    pub from: &'a wgpu::Buffer,
-    /// What points gather, which the last level's result replaces, or is added to.
-    pub to: &'a wgpu::Buffer,
-    /// The tile's.
-    pub tile: &'a [Named<'a>],
-}
-
 /// The stages of the filter, and its buffers.
 #[derive(Debug)]
 pub struct LightFilter<'a> {
@@ -65,8 +54,9 @@ pub struct LightFilter<'a> {
 }
 
 impl<'a> LightFilter<'a> {
-    /// For light of points that take `rays` samples or, where few pixels are like them, more; for
-    /// bias compensation, paths.
+    /// For irradiance of points that take `rays` samples (for bias compensation, paths) or, where few
+    /// pixels are like them, more; in its w, half the difference of the halves of their samples. The
+    /// result takes its place. `tile` are the buffers of a tile.
     ///
     /// # Errors
     /// The device refuses.
@@ -74,7 +64,8 @@ impl<'a> LightFilter<'a> {
         setup: &FrameSetup<'a>,
         filtered: Filtered,
         rays: u32,
-        buffers: &FilterBuffers<'_>,
+        irradiance: &wgpu::Buffer,
+        tile: &[Named<'_>],
     ) -> Result<Self, GpuError> {
         let FrameSetup { prepared, settings, tiling, .. } = *setup;
         let (gpu, points) = (&prepared.gpu, setup.most_points());
@@ -88,11 +79,14 @@ impl<'a> LightFilter<'a> {
             gpu.table("light to combine", values, TableFormat::Quadruples)?,
             gpu.table("combined light", values, TableFormat::Quadruples)?,
         ];
-        let own = [("like_pixels", &like_pixels), ("ray_counts", &ray_counts)];
-        let named = |light| [&own[..], &[("irradiance", light)], buffers.tile].concat();
-        let [from, to] = [named(buffers.from), named(buffers.to)];
+        let own = [
+            ("like_pixels", &like_pixels),
+            ("ray_counts", &ray_counts),
+            ("irradiance", irradiance),
+        ];
+        let named = [&own[..], tile].concat();
         let bind = |program: &Program, textures: &[NamedTexture<'_>]| {
-            Stage::with_textures(prepared, program, &from, textures)
+            Stage::with_textures(prepared, program, &named, textures)
         };
         let programs = prepared.filter_programs(filtered);
         let count = levels(filtered);
@@ -106,7 +100,7 @@ impl<'a> LightFilter<'a> {
             let [read, written] = [level % 2, (level + 1) % 2].map(|i| &light[i as usize]);
             let textures = [("light", read), ("stored_light", written), ("means", &local_means)];
             let textures = [&textures[..], &[("surface_table", &surfaces)]].concat();
-            Stage::with_textures(prepared, program, &to, &textures)
+            bind(program, &textures)
         });
         Ok(Self {
             levels: levels.collect::<Result<_, _>>()?,

@@ -8,7 +8,7 @@ use super::clusters::PointClusters;
 use super::compensation::Compensation;
 use super::gather::{ClampedEnergy, Gather, Interleave, Irradiance};
 use super::prepared::Prepared;
-use super::result::{Progress, Tally};
+use super::result::{Phases, Progress, Tally};
 use super::stage::Named;
 use super::visibility::LightSet;
 use super::vpls::VplSet;
@@ -24,6 +24,8 @@ pub struct IndirectLight<'a> {
     /// Where the geometry term is bounded.
     clamped: Option<ClampedEnergy>,
     compensation: Option<Compensation<'a>>,
+    /// What bias compensation adds, where pixels combine it; else it goes into the irradiance.
+    compensated: Option<wgpu::Buffer>,
 }
 
 impl<'a> IndirectLight<'a> {
@@ -52,13 +54,20 @@ impl<'a> IndirectLight<'a> {
         let bound = vpls.bound.as_ref();
         let compensates = settings.compensates();
 
+        let values = points * prepared.target().lobes();
+        let compensated = (bound.is_some() && settings.filters_compensation())
+            .then(|| prepared.gpu.storage::<[f32; 4]>("compensated irradiance", values))
+            .transpose()?;
         let mut named = tile.named(prepared);
         named.push(irradiance.named());
+        named.extend(compensated.as_ref().map(|buffer| ("compensated", buffer)));
         let interleave = settings
             .interleaves()
             .then(|| Interleave::new(prepared, &tiling, &named, &irradiance.buffer, settings))
             .transpose()?;
-        let clamped = bound.map(|_| ClampedEnergy::new(prepared, &named, points)).transpose()?;
+        let clamped = bound
+            .map(|_| ClampedEnergy::new(prepared, &named, points, compensated.is_some()))
+            .transpose()?;
         // The first buffer of a name counts.
         let subsets: Vec<Named<'_>> = interleave.iter().flat_map(Interleave::named).collect();
         let most = interleave.as_ref().map(|interleave| interleave.most_points(&tiling));
@@ -67,13 +76,14 @@ impl<'a> IndirectLight<'a> {
             Gather::new(prepared, lights, clusters, &[&subsets[..], &named].concat(), most)?;
         let compensation = match bound.filter(|_| compensates) {
             Some(bound) => {
-                let buffers = [&tile.points, &irradiance.buffer];
+                let output = compensated.as_ref().unwrap_or(&irradiance.buffer);
+                let buffers = [&tile.points, output];
                 let sights = gather.sights();
                 Some(Compensation::new(setup, vpls, bound, sights, buffers, &named)?)
             }
             None => None,
         };
-        Ok(Some(Self { prepared, gather, interleave, clamped, compensation }))
+        Ok(Some(Self { prepared, gather, interleave, clamped, compensation, compensated }))
     }
 
     /// Traces the rows of the clusters, once a frame, if there are any.
@@ -136,6 +146,7 @@ impl<'a> IndirectLight<'a> {
         let show = |share| progress(share, "indirect light");
         match &self.interleave {
             Some(interleave) => {
+                self.compensate(tile, phases, progress)?;
                 phases.shading += interleave.split(prepared, tile)?;
                 let points = interleave.subsets(tile).points();
                 counts.shadow_rays += self.gather.gather(points, phases, &show)?;
@@ -149,9 +160,8 @@ impl<'a> IndirectLight<'a> {
         if let Some(clamped) = &self.clamped {
             phases.shading += clamped.count(prepared, tile)?;
         }
-        if let Some(compensation) = &self.compensation {
-            progress(0.5, "compensation");
-            phases.compensation += compensation.add(prepared, tile)?;
+        if self.interleave.is_none() {
+            self.compensate(tile, phases, progress)?;
         }
         counts.shading_terms += self.gather.terms(u64::from(tile.points()));
         Ok(())
@@ -163,5 +173,21 @@ impl<'a> IndirectLight<'a> {
     /// The device fails.
     pub fn add_energy(&self, tile: Tile, sum: &mut [f64; 2]) -> Result<(), GpuError> {
         self.clamped.as_ref().map_or(Ok(()), |clamped| clamped.add_to(self.prepared, tile, sum))
+    }
+
+    /// What the bound on G took, to what the visible points of a tile gather.
+    fn compensate(
+        &self,
+        tile: Tile,
+        phases: &mut Phases,
+        progress: Progress<'_>,
+    ) -> Result<(), GpuError> {
+        let Some(compensation) = &self.compensation else { return Ok(()) };
+        progress(0.0, "compensation");
+        if let Some(compensated) = &self.compensated {
+            self.prepared.gpu.clear(&[compensated])?;
+        }
+        phases.compensation += compensation.add(self.prepared, tile)?;
+        Ok(())
     }
 }

@@ -54,9 +54,12 @@ pub fn all_programs() -> Vec<Program> {
             programs.extend([first_rays(target, emits), antialias(target, emits)]);
             programs.extend([link_rays(target, emits), resolve_rays(target, emits)]);
         }
-        programs.extend([resolve(target), emit(target), reflect(target), clamped_energy(target)]);
+        programs.extend([resolve(target), emit(target), reflect(target)]);
         programs.extend([false, true].map(|last| discontinuity_buffer(target, last)));
-        programs.extend([false, true].map(|probed| join_subsets(target, probed)));
+        programs.extend([false, true].map(|given| clamped_energy(target, given)));
+        for probed in [false, true] {
+            programs.extend([false, true].map(|given| join_subsets(target, probed, given)));
+        }
         programs.extend(background(target));
         let shown = [Method::Normal, Method::Depth, Method::Albedo];
         programs.extend(shown.into_iter().filter_map(|method| show(target, method)));

@@ -8,7 +8,7 @@ use super::guide::Guide;
 use super::lobes::LobeRays;
 use crate::gpu::{DirectParams, GpuError};
 use crate::render::camera::{FrameSetup, Tile};
-use crate::render::filter::{FilterBuffers, LightFilter};
+use crate::render::filter::LightFilter;
 use crate::render::kernels::Filtered;
 use crate::render::lights::LightKind;
 use crate::render::prepared::Prepared;
@@ -53,9 +53,8 @@ impl<'a> SampledLight<'a> {
             is_guided.then(|| Guide::new(setup, kinds, &strata, &table, named)).transpose()?;
         let rays = settings.light_samples_per_point();
         let filter = settings.filters_direct();
-        let buffers = FilterBuffers { from: irradiance.1, to: irradiance.1, tile: named };
         let filter = filter
-            .then(|| LightFilter::new(setup, Filtered::Direct, rays, &buffers))
+            .then(|| LightFilter::new(setup, Filtered::Direct, rays, irradiance.1, named))
             .transpose()?;
         let mut named = named.to_vec();
         named.extend(filter.iter().map(|filter| ("ray_counts", &filter.ray_counts)));

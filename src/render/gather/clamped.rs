@@ -17,14 +17,20 @@ pub struct ClampedEnergy {
 }
 
 impl ClampedEnergy {
-    /// For tiles of at most so many points.
+    /// For tiles of at most so many points; `compensated` is whether they have gathered what bias
+    /// compensation gives back.
     ///
     /// # Errors
     /// The device refuses.
-    pub fn new(prepared: &Prepared, tile: &[Named<'_>], points: usize) -> Result<Self, GpuError> {
+    pub fn new(
+        prepared: &Prepared,
+        tile: &[Named<'_>],
+        points: usize,
+        compensated: bool,
+    ) -> Result<Self, GpuError> {
         let buffer = prepared.gpu.storage::<[f32; 2]>("energy", points)?;
         let named = [&[("energy", &buffer)], tile].concat();
-        let stage = Stage::new(prepared, &clamped_energy(prepared.target()), &named)?;
+        let stage = Stage::new(prepared, &clamped_energy(prepared.target(), compensated), &named)?;
         Ok(Self { buffer, stage })
     }
 

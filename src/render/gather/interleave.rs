@@ -127,7 +127,7 @@ impl Interleave {
             Stage::with_textures(prepared, program, buffers, textures)
         };
         let split = bind(&kernels::split_subsets(), &buffers, &[])?;
-        let join = kernels::join_subsets(target, probed);
+        let join = kernels::join_subsets(target, probed, settings.filters_compensation());
         let to_tables = [("packed_surfaces", &surfaces), ("stored_light", &gathered)];
         let join = bind(&join, &buffers, &to_tables)?;
         let combine = |light, last, buffers: &[Named<'_>], to: &[NamedTexture<'_>]| {
@@ -227,7 +227,7 @@ mod tests {
         let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
         let split = gpu.compile(&kernels::split_subsets()).unwrap();
         let plain = Target::plain(true);
-        let join = gpu.compile(&kernels::join_subsets(plain, false)).unwrap();
+        let join = gpu.compile(&kernels::join_subsets(plain, false, false)).unwrap();
         let combine = gpu.compile(&kernels::discontinuity_buffer(plain, true)).unwrap();
         for (s, sample) in [(2, 0), (2, 1), (3, 1), (4, 3), (8, 5)] {
             let subsets = Subsets::of(s, 5, 15, sample);

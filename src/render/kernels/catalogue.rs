@@ -203,13 +203,14 @@ modules! {
     SPLIT_SUBSETS = "gather/split_subsets" for "interleaved sampling";
     SIGNATURE_NONE = "gather/signature_none";
     SIGNATURE_PROBED = "gather/signature_probed" for "probes of visibility";
+    COMPENSATION_NONE = "gather/compensation_none";
+    COMPENSATION_ADDED = "gather/compensation_added" for "bias compensation";
     SURFACE_PLAIN = "gather/surface_plain";
     SURFACE_LOBED = "gather/surface_lobed" for "phong";
     SURFACE_LOBE_CODE = "gather/surface_lobe_code" for "phong";
     LIGHT_TABLE = "gather/light_table";
     LIGHT_TO_TABLE = "gather/light_to_table";
     LIGHT_TO_POINTS = "gather/light_to_points";
-    LIGHT_ADDED_TO_POINTS = "gather/light_added_to_points" for "bias compensation";
     JOIN_SUBSETS = "gather/join_subsets" for "interleaved sampling";
     DISCONTINUITY_BUFFER = "gather/discontinuity_buffer" for "interleaved sampling";
     SEEN_HARD = "gather/seen_hard";

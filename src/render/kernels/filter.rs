@@ -2,8 +2,8 @@
 
 use super::catalogue::{
     FILTER_FAR, FILTER_GUIDE, FILTER_LEVEL, FILTER_NEAR, FILTER_PARAMS, FILTER_SURFACES,
-    LIGHT_ADDED_TO_POINTS, LIGHT_TABLE, LIGHT_TO_POINTS, LIGHT_TO_TABLE, ONE_SURFACE, PACK_LIGHT,
-    PACK_SURFACES, PIXELS, RAY_COUNTS, TABLE, TYPES,
+    LIGHT_TABLE, LIGHT_TO_POINTS, LIGHT_TO_TABLE, ONE_SURFACE, PACK_LIGHT, PACK_SURFACES, PIXELS,
+    RAY_COUNTS, TABLE, TYPES,
 };
 use super::gather::{surface, surface_code};
 use super::materials::gathered;
@@ -13,9 +13,9 @@ use crate::render::features::Target;
 /// What is filtered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Filtered {
-    /// Light samples, which what is filtered takes the place of.
+    /// Light samples.
     Direct,
-    /// What bias compensation gives back, which is added to what points gather.
+    /// What bias compensation gives back.
     Compensation,
 }
 
@@ -51,10 +51,6 @@ impl FilterPrograms {
             let own = [gathered(target), &LIGHT_TABLE, to, &FILTER_LEVEL];
             program(["direct light, filter", "compensation, filter"], &[taps, &own].concat())
         };
-        let to_points = match filtered {
-            Filtered::Direct => &LIGHT_TO_POINTS,
-            Filtered::Compensation => &LIGHT_ADDED_TO_POINTS,
-        };
         Self {
             surfaces: program(
                 ["direct light, surfaces", "compensation, surfaces"],
@@ -74,7 +70,7 @@ impl FilterPrograms {
             ),
             near: level(&[&FILTER_NEAR], &LIGHT_TO_TABLE),
             far: level(&far, &LIGHT_TO_TABLE),
-            last: level(&far, to_points),
+            last: level(&far, &LIGHT_TO_POINTS),
         }
     }
 

@@ -1,11 +1,12 @@
 //! The programs that gather the light of many lights, and combine it over pixels.
 
 use super::catalogue::{
-    BSDF, CLAMPED_ENERGY, DISCONTINUITY_BUFFER, GATHER_PARAMS, JOIN_SUBSETS, LIGHT_TABLE,
-    LIGHT_TO_POINTS, LIGHT_TO_TABLE, ONE_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY,
-    PAIR_UNBOUNDED, PIXELS, REFLECT, ROW_CLUSTER, ROW_POINT, SEEN_FUZZY, SEEN_HARD, SHADE,
-    SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE, SIGNATURE_PROBED, SPLIT_SUBSETS, SUBSETS,
-    SURFACE_LOBE_CODE, SURFACE_LOBED, SURFACE_PLAIN, TABLE, TYPES,
+    BSDF, CLAMPED_ENERGY, COMPENSATION_ADDED, COMPENSATION_NONE, DISCONTINUITY_BUFFER,
+    GATHER_PARAMS, JOIN_SUBSETS, LIGHT_TABLE, LIGHT_TO_POINTS, LIGHT_TO_TABLE, ONE_SURFACE,
+    PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PAIR_UNBOUNDED, PIXELS, REFLECT, ROW_CLUSTER,
+    ROW_POINT, SEEN_FUZZY, SEEN_HARD, SHADE, SHADE_COOPERATIVE, SHADE_GLOSSY, SIGNATURE_NONE,
+    SIGNATURE_PROBED, SPLIT_SUBSETS, SUBSETS, SURFACE_LOBE_CODE, SURFACE_LOBED, SURFACE_PLAIN,
+    TABLE, TYPES,
 };
 use super::materials::{albedo, gathered, lobes};
 use super::visibility::{Emitter, vpl};
@@ -20,10 +21,11 @@ pub fn split_subsets() -> Program {
 }
 
 /// Interleaved sampling: what points have gathered into rows of pixels, with signatures where
-/// their visibility is probed.
-pub fn join_subsets(target: Target, probed: bool) -> Program {
+/// their visibility is probed, and with what bias compensation gives back.
+pub fn join_subsets(target: Target, probed: bool, compensated: bool) -> Program {
     let signature = if probed { &SIGNATURE_PROBED } else { &SIGNATURE_NONE };
-    let mut modules = vec![&TYPES, gathered(target), &PIXELS, &SUBSETS, signature];
+    let given = if compensated { &COMPENSATION_ADDED } else { &COMPENSATION_NONE };
+    let mut modules = vec![&TYPES, gathered(target), &PIXELS, &SUBSETS, signature, given];
     modules.extend(surface_code(target));
     modules.extend([&TABLE, &LIGHT_TO_TABLE, &JOIN_SUBSETS]);
     Program::new("collection", modules)
@@ -87,9 +89,10 @@ pub fn reflect(target: Target) -> Program {
     Program::new("reflection", modules)
 }
 
-/// What points have gathered, and what the clamp took of it.
-pub fn clamped_energy(target: Target) -> Program {
+/// What the clamp clamped_energy, where points have gathered what bias compensation gives back or not.
+pub fn clamped_energy(target: Target, compensated: bool) -> Program {
+    let given = if compensated { &COMPENSATION_ADDED } else { &COMPENSATION_NONE };
     let albedo = albedo(target.features);
-    let modules = [&[&TYPES][..], &lobes(target), &[albedo, &CLAMPED_ENERGY]].concat();
+    let modules = [&[&TYPES][..], &lobes(target), &[albedo, given, &CLAMPED_ENERGY]].concat();
     Program::new("clamped energy", modules)
 }

@@ -48,14 +48,15 @@ impl Plan {
                 shade(target, bounded, settings.sharing(), Emitter::Surface),
                 reflect(target),
             ]);
-            programs.extend(bounded.then(|| clamped_energy(target)));
+            let combined = settings.filters_compensation();
+            programs.extend(bounded.then(|| clamped_energy(target, combined)));
             if settings.shares_columns() {
                 programs.extend([pack_columns(), expand()]);
             }
             if settings.interleaves() {
                 programs.extend([
                     split_subsets(),
-                    join_subsets(target, settings.probes()),
+                    join_subsets(target, settings.probes(), combined),
                     discontinuity_buffer(target, false),
                     discontinuity_buffer(target, true),
                 ]);
