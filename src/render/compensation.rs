@@ -35,9 +35,11 @@ use super::vpls::{GeometryBound, Vpl, VplSet};
 use crate::gpu::{ArrivalRecord, CompensatedParams, GpuError, PathParams, StartParams};
 use crate::sampling::hash;
 
-/// Paths of a pixel, over all its samples, where pixels combine what they have gathered, which takes
-/// the noise off; and where they do not.
-const PATHS_OF_PIXEL: [u32; 2] = [2, 32];
+/// Paths of a pixel, over all its samples, where pixels do not combine what is given back.
+const PATHS: u32 = 32;
+/// Where they do, which takes the noise off, at least and at most so many: as many as are traced at
+/// once, since small images have fewer pixels that see the same.
+const COMBINED_PATHS: [usize; 2] = [2, 8];
 /// Paths that are traced at once, at most, but one of each visible point: many, so that the stages
 /// themselves cost little in small images, where paths may be long.
 const AT_ONCE: usize = 1 << 19;
@@ -87,8 +89,11 @@ impl<'a> Compensation<'a> {
         let FrameSetup { prepared, settings, seed, .. } = *setup;
         let (gpu, points) = (&prepared.gpu, setup.most_points());
         let filters = settings.filters_compensation();
-        let [combined, alone] = PATHS_OF_PIXEL;
-        let paths = if filters { combined } else { alone }.div_ceil(settings.samples);
+        let paths = match filters {
+            true => (AT_ONCE / points).clamp(COMBINED_PATHS[0], COMBINED_PATHS[1]) as u32,
+            false => PATHS,
+        };
+        let paths = paths.div_ceil(settings.samples);
         // The difference of two halves is what the filter takes the noise for.
         let paths = if filters { paths.next_multiple_of(2) } else { paths };
         let at_once = (AT_ONCE / points).clamp(1, paths as usize);

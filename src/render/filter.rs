@@ -18,10 +18,12 @@ use crate::render::stage::{Named, NamedTexture, Stage};
 /// noise. relMSE of an office behind a door that is ajar and of a classroom, by levels and tolerance: 4 and
 /// 2.25 .0313, .0123; 5 and 2.25 .0275, .0119; 6 and 2.25 .0269, .0118; 4 and 5 .0287, .0118; 4 and 12
 /// .0279, .0117; 5 and 5 .0260, .0116.
-fn levels(filtered: Filtered) -> u32 {
+///
+/// Fewer in images that are so small that things in them are.
+fn levels(filtered: Filtered, blocks_across: u32) -> u32 {
     match filtered {
         Filtered::Direct => 4,
-        Filtered::Compensation => 5,
+        Filtered::Compensation => (blocks_across.ilog2()).clamp(1, 5),
     }
 }
 
@@ -89,7 +91,7 @@ impl<'a> LightFilter<'a> {
             Stage::with_textures(prepared, program, &named, textures)
         };
         let programs = prepared.filter_programs(filtered);
-        let count = levels(filtered);
+        let count = levels(filtered, tiling.across());
         let levels = (0..count).map(|level| {
             let program = match level {
                 level if level + 1 == count => &programs.last,
