@@ -87,6 +87,7 @@
 //! render::camera         tiles, camera rays, the film
 //! render::visibility     shadow rays between points and many lights
 //! render::gather         light of many lights at visible points, combined over pixels
+//! render::filter         noisy light, combined over pixels of one surface
 //! render::direct         light straight from its source
 //! render::path           the path tracer
 //! render::compensation   what the bound on near VPLs took

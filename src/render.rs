@@ -5,6 +5,7 @@ mod clusters;
 mod compensation;
 mod direct;
 mod features;
+mod filter;
 mod frame;
 mod gather;
 mod indirect;

@@ -14,12 +14,20 @@ fn all_carried(carried: Carried) -> vec3f {
     return carried;
 }
 
-// What arrives at the next vertex by a segment of this geometry term over the bound; whether it is
-// anything.
-fn arrive(slot: u32, carried: Carried, next: Point, throughput: vec3f, g: f32) -> bool {
+// What arrives at the next vertex by a segment of this geometry term over the bound; whether it goes
+// on from there, which a random number decides.
+fn arrive(
+    slot: u32,
+    carried: Carried,
+    next: Point,
+    throughput: vec3f,
+    g: f32,
+    decides: f32,
+) -> bool {
     let left = carried * throughput * clamped_share(g);
-    paths[slot].throughput = left;
-    return max(left.x, max(left.y, left.z)) > 0.0;
+    let survives = survival_of(left, decides);
+    paths[slot].throughput = left * survives;
+    return survives > 0.0;
 }
 
 // No light from farther away is clamped, whatever reflects it: G <= cos / d^2 <= b.
@@ -27,7 +35,14 @@ fn farthest(point: Point, direction: vec3f) -> f32 {
     return sqrt(max(dot(point.normal, direction), 0.0) / params.bound);
 }
 
+// By what a vertex sends back the light that it gathers.
+alias Returning = vec3f;
+
+fn returning(slot: u32, point: Point) -> Returning {
+    return paths[slot].throughput * albedo_of(slot, point) / PI;
+}
+
 // What comes back of light that a vertex gathers from a unit direction.
-fn gathered_back(slot: u32, point: Point, toward: vec3f, gathered: Gathered) -> vec3f {
-    return paths[slot].throughput * reflected(point, albedo_of(slot, point), gathered);
+fn gathered_back(by: Returning, toward: vec3f, gathered: Gathered) -> vec3f {
+    return by * gathered.rgb;
 }

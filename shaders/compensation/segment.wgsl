@@ -55,7 +55,8 @@ fn main(
         store_albedo(slot, hit, next, chain.direction, 0.0);
         store_emission_scale(slot, hit, next, chain.direction, 0.0);
         find_emission(slot, all * throughput, point, hit, next, chain.direction, density);
-        goes_on = arrive(slot, carried, next, throughput, g);
+        let decides = path_random(slot, stream, SURVIVAL_DIMENSIONS).x;
+        goes_on = arrive(slot, carried, next, throughput, g, decides);
         points[slot] = with_view_direction(next, ray_offset(next, chain.direction, params.offset));
     } else if is {
         find_background(slot, all * throughput, chain.direction, density);

@@ -1,9 +1,8 @@
 // Light of virtual point lights at the vertices of bias compensation, bounded as at visible points:
-// of several drawn evenly, one by what it would give unshadowed. Talbot, Cline and Egbert,
+// of several drawn evenly, one by what it is thought to give. Talbot, Cline and Egbert,
 // "Importance Resampling for Global Illumination", EGSR 2005.
 
 @group(0) @binding(4) var<storage, read> points: array<Point>;
-@group(0) @binding(5) var<storage, read> vpls: array<Vpl>;
 // In w, the shadow rays.
 @group(0) @binding(20) var<storage, read_write> radiance: array<vec4f>;
 @group(0) @binding(22) var<storage, read_write> paths: array<Path>;
@@ -20,6 +19,8 @@ fn main(
     let slot = queue[min(id.x, params.paths - 1u)];
     let point = points[slot];
     let receiver = receiver_of(point);
+    let by = returning(slot, point);
+    let sight = sight_of(slot);
     let random = path_random(slot, paths[slot].stream, ROULETTE_DIMENSIONS);
     var chosen = 0u;
     var back = vec3f(0.0);
@@ -30,11 +31,11 @@ fn main(
     for (var i = 0u; i < CANDIDATES; i++) {
         let at = u32((f32(i) + random.x) / f32(CANDIDATES) * f32(params.lights));
         let index = min(at, params.lights - 1u);
-        let vpl = vpls[index];
+        let vpl = load_vpl(index);
         let between = vpl.position - point.position;
         let toward = between * inverseSqrt(max(dot(between, between), 1e-37));
-        let candidate = gathered_back(slot, point, toward, pair_of(receiver, vpl, 1u, 1u));
-        let gives = (candidate.x + candidate.y + candidate.z) / 3.0;
+        let candidate = gathered_back(by, toward, pair_of(receiver, vpl, 1u, 1u));
+        let gives = thought_seen(sight, index) * (candidate.x + candidate.y + candidate.z) / 3.0;
         sum += gives;
         let share = select(0.0, gives / sum, gives > 0.0);
         if u < share {
@@ -46,7 +47,7 @@ fn main(
             u = (u - share) / max(1.0 - share, 1e-7);
         }
     }
-    let vpl = vpls[chosen];
+    let vpl = load_vpl(chosen);
     let is = id.x < params.paths && given > 0.0;
     let origin = vpl.position + params.offset * vpl.normal;
     let end = offset_position(point, params.offset);

@@ -24,6 +24,11 @@ struct PathParams {
     bound: f32,
     // By which the paths of bias compensation leave the visible point: 0 diffuse, 1 glossy.
     lobe: u32,
+    // Rows of the visibility that clusters share, in fours.
+    quads: u32,
+    pad0: u32,
+    pad1: u32,
+    pad2: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: PathParams;

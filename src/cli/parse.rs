@@ -122,6 +122,19 @@ pub fn switch(text: &str) -> Result<bool, String> {
     }
 }
 
+/// Whether bias is compensated; none is auto.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Compensate(pub Option<bool>);
+
+pub fn compensate(text: &str) -> Result<Compensate, String> {
+    match text {
+        "auto" => Ok(Compensate(None)),
+        "on" | "true" => Ok(Compensate(Some(true))),
+        "off" | "false" => Ok(Compensate(Some(false))),
+        _ => Err("give auto, on or off".to_owned()),
+    }
+}
+
 /// Makes one line of clap's many: what is wrong, and its tips, without its usage.
 pub fn one_clause(refusal: &str) -> String {
     let mut clause = String::new();

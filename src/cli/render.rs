@@ -44,7 +44,7 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     let mut phases = RunPhases::default();
     let mut warnings = Warnings::new(args.quiet, args.strict);
     let mut scene = timed(&mut phases.load, || Scene::load(&args.scene))?;
-    let caustic = caustics(&scene, &args.settings());
+    let caustic = caustics(&scene, &args.image_settings());
     for warning in std::mem::take(&mut scene.warnings).into_iter().chain(caustic) {
         warnings.add(warning)?;
     }
@@ -102,7 +102,7 @@ fn prepare(args: &RenderArgs, scene: Scene, phases: &mut RunPhases) -> Result<Jo
     }
     let mut camera = scene.camera;
     camera.size = args.size.unwrap_or(camera.size);
-    let settings = args.settings();
+    let settings = args.image_settings();
     let prepared = Prepared::new(gpu, scene, &settings)?;
     phases.bvh = prepared.bvh_time.as_secs_f64();
     phases.pipelines = prepared.pipelines_time.as_secs_f64();

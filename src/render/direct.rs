@@ -2,7 +2,6 @@
 
 mod dispatches;
 mod exact;
-mod filter;
 mod guide;
 mod lobes;
 mod sampled;

@@ -9,4 +9,4 @@ mod many_lights;
 pub use clamped::ClampedEnergy;
 pub use interleave::Interleave;
 pub use irradiance::Irradiance;
-pub use many_lights::{Corrections, Gather, chunk_words};
+pub use many_lights::{Corrections, Gather, Sights, chunk_words};

@@ -24,7 +24,7 @@ pub struct IndirectLight<'a> {
     interleave: Option<Interleave>,
     /// Where the geometry term is bounded.
     clamped: Option<ClampedEnergy>,
-    compensation: Option<Compensation>,
+    compensation: Option<Compensation<'a>>,
     /// What bias compensation adds, where pixels combine it; else it goes into the irradiance.
     compensated: Option<wgpu::Buffer>,
 }
@@ -56,12 +56,12 @@ impl<'a> IndirectLight<'a> {
         };
         let points = setup.most_points();
         let bound = vpls.bound.as_ref();
-        let compensates = bound.is_some() && settings.compensates();
-        let lobes = prepared.target().lobes();
-        let compensated = (compensates && settings.interleaves())
-            .then(|| prepared.gpu.storage::<[f32; 4]>("compensated irradiance", points * lobes))
-            .transpose()?;
+        let compensates = settings.compensates();
 
+        let values = points * prepared.target().lobes();
+        let compensated = (bound.is_some() && settings.filters_compensation())
+            .then(|| prepared.gpu.storage::<[f32; 4]>("compensated irradiance", values))
+            .transpose()?;
         let mut named = tile.named(prepared);
         named.push(irradiance.named());
         named.extend(compensated.as_ref().map(|buffer| ("compensated", buffer)));
@@ -72,22 +72,6 @@ impl<'a> IndirectLight<'a> {
         let clamped = bound
             .map(|_| ClampedEnergy::new(prepared, &named, points, compensated.is_some()))
             .transpose()?;
-        let compensation = match bound.filter(|_| compensates) {
-            Some(bound) => {
-                let output = compensated.as_ref().unwrap_or(&irradiance.buffer);
-                let vpls = &vpls.vpls;
-                Some(Compensation::new(
-                    prepared,
-                    settings,
-                    seed,
-                    vpls,
-                    bound,
-                    [&tile.points, output],
-                    points,
-                )?)
-            }
-            None => None,
-        };
         // The first buffer of a name counts.
         let subsets: Vec<Named<'_>> = interleave.iter().flat_map(Interleave::named).collect();
         let most = interleave.as_ref().map(|interleave| interleave.most_points(&tiling));
@@ -101,6 +85,15 @@ impl<'a> IndirectLight<'a> {
             most,
             corrections,
         )?;
+        let compensation = match bound.filter(|_| compensates) {
+            Some(bound) => {
+                let output = compensated.as_ref().unwrap_or(&irradiance.buffer);
+                let buffers = [&tile.points, output];
+                let sights = gather.sights();
+                Some(Compensation::new(setup, vpls, bound, sights, buffers, &named)?)
+            }
+            None => None,
+        };
         Ok(Some(Self { prepared, gather, interleave, clamped, compensation, compensated }))
     }
 
@@ -132,6 +125,9 @@ impl<'a> IndirectLight<'a> {
     ) -> Result<(), GpuError> {
         if let (Some(interleave), Some(seen)) = (&self.interleave, signatures) {
             interleave.set_signatures(self.prepared, &seen[points.clone()])?;
+        }
+        if let Some(compensation) = &self.compensation {
+            compensation.set_clusters(self.prepared, clusters, points.clone())?;
         }
         let subsets = self.interleave.as_ref().map(|interleave| interleave.subsets(tile));
         self.gather.set_clusters(clusters, points, subsets.as_ref())

@@ -6,6 +6,7 @@ mod camera;
 pub mod catalogue;
 pub mod compensation;
 mod direct;
+mod filter;
 mod gather;
 mod lights;
 pub mod literals;
@@ -24,9 +25,9 @@ pub use antialiasing::{
 pub use camera::{background, emit, resolve, show, visible_points};
 pub use catalogue::{CATALOGUE, features_of, features_without};
 pub use direct::{
-    LightRays, direct_exact, direct_lobe_rays, direct_sampled, filter_guide, filter_level, guide,
-    guide_pilot, guide_unshadowed, pack_light, pack_surfaces, ray_counts,
+    LightRays, direct_exact, direct_lobe_rays, direct_sampled, guide, guide_pilot, guide_unshadowed,
 };
+pub use filter::{FilterPrograms, Filtered};
 pub use gather::{
     clamped_energy, correct, discontinuity_buffer, join_subsets, reflect, shade, split_subsets,
 };
@@ -69,10 +70,8 @@ pub fn all_programs() -> Vec<Program> {
         let kinds = LightKind::ALL.into_iter().filter(|&kind| has_kind(target, kind));
         let (exact, extended): (Vec<_>, Vec<_>) = kinds.partition(|kind| kind.is_exact());
         programs.extend(exact.into_iter().map(|kind| direct_exact(target, kind)));
-        programs.extend([pack_surfaces(target), ray_counts(target)]);
-        programs.extend([pack_light(target), filter_guide()]);
-        for [near, last] in [[true, false], [false, false], [false, true]] {
-            programs.push(filter_level(target, near, last));
+        for filtered in [Filtered::Direct, Filtered::Compensation] {
+            programs.extend(FilterPrograms::new(target, filtered).all());
         }
         // One kind, several side by side, and all; lights without extent are alike in samples.
         let extended = [&[LightKind::Point][..], &extended].concat();

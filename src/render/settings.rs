@@ -277,6 +277,17 @@ impl Settings {
         self.correct > 0 && self.traces_light_paths() && shares
     }
 
+    /// Whether little time and noise give back what the bound on G removes: pixels combine it, and
+    /// the bound is the one that suits it.
+    pub fn compensates_cheaply(&self) -> bool {
+        self.interleaves() && self.clamp == Clamp::Auto
+    }
+
+    /// Whether what is given back is combined over pixels.
+    pub fn filters_compensation(&self) -> bool {
+        self.compensates() && self.interleaves()
+    }
+
     /// Whether VPLs share the visibility of their cluster.
     pub fn shares_columns(&self) -> bool {
         self.method.clusters_vpls() && self.clustering.merge == Merge::Visibility
@@ -286,6 +297,11 @@ impl Settings {
     pub fn draws_members(&self) -> bool {
         let drawn = self.clustering.representative == Representative::Drawn;
         drawn && self.shares_columns() && self.method.clusters_points()
+    }
+
+    /// Whether clusters of visible points share what they see of clusters of VPLs.
+    pub fn shares_sights(&self) -> bool {
+        self.shares_columns() && self.method.clusters_points()
     }
 
     /// Whether pixels are antialiased by more camera rays than the samples.

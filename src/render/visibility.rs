@@ -5,7 +5,7 @@ mod members;
 mod probes;
 mod trace;
 
-pub use light_set::{ColumnEnds, Columns, LightSet, SharedColumns, VPL_BUFFER, table};
+pub use light_set::{ColumnEnds, Columns, LightSet, SharedColumns, table};
 pub use members::{Draws, MemberRays};
 pub use probes::Probes;
 pub use trace::{Tracer, dispatch_rays};

@@ -111,7 +111,7 @@ fn wrong_usage_is_code_2() {
         ("render -o a.png --direct clustered --method vpl", "give --method vpc or both"),
         ("render -o a.png --interleave 9", "9 is not in 1..=8"),
         ("render -o a.png --correct 257", "give a number from 1 to 256, or off"),
-        ("render -o a.png --compensate=some", "true, false"),
+        ("render -o a.png --compensate=some", "give auto, on or off"),
         ("study --preset thesis", "--output"),
         ("study -o dir", "what to study?"),
         ("study --preset bogus -o dir", "give thesis, quick or extremes"),

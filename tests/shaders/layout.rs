@@ -138,10 +138,10 @@ fn records() -> Vec<Record> {
         record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),
         record!(PathParams as "PathParams" {
             paths, bounce, first_sample, samples, lights, nodes, offset, light_density,
-            background, solid_density, bound, lobe,
+            background, solid_density, bound, lobe, quads, pad,
         }),
         record!(StartParams as "StartParams" { points, first_block, seed, paths }),
-        record!(CompensatedParams as "CompensatedParams" { points, share, lobe, paths }),
+        record!(CompensatedParams as "CompensatedParams" { points, share, lobe, paths, first, halves, pad }),
         record!(ArrivalRecord as "Arrival" { diffuse, diffuse_g, glossy, glossy_g }),
         record!(InterleaveParams as "InterleaveParams" {
             width, height, s, rotation, subset_width, subset_points, points, axis,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::super::parse::{self, LightSamples};
+use super::super::parse::{self, Compensate, LightSamples};
 use super::aov::Aov;
 use crate::denoise;
 use crate::error::Error;
@@ -79,12 +79,14 @@ pub struct RenderArgs {
     pub clamp: Clamp,
 
     /// Give back what the bound removed, by short paths from the visible points: no bias, and no
-    /// dark corners, for some noise and time. Nothing where nothing is bounded; light of point,
-    /// spot and directional lights that mirrors or glass have turned stays bounded
-    #[arg(long, value_name = "true|false", num_args = 0..=1, require_equals = true,
-          default_value_t = false, default_missing_value = "true", hide_default_value = true,
+    /// dark corners, for some noise and time: on, as without a value; off; or auto, which is on where
+    /// the bound is auto and pixels combine what they gather (--interleave above 1). Nothing where
+    /// nothing is bounded; light of point, spot and directional lights that mirrors or glass have
+    /// turned stays bounded
+    #[arg(long, value_name = "auto|on|off", num_args = 0..=1, require_equals = true,
+          default_value = "off", default_missing_value = "on", value_parser = parse::compensate,
           action = clap::ArgAction::Set)]
-    pub compensate: bool,
+    pub compensate: Compensate,
 
     /// Shadow rays of each visible point, up to 256, that correct what it shares of the visibility of
     /// VPLs, where that is likely to be wrong: no bias of clusters, for some noise and time. Nothing where
@@ -195,7 +197,14 @@ impl RenderArgs {
         Ok(())
     }
 
-    /// What a frame depends on.
+    /// What an image is rendered with: [`RenderArgs::settings`], and what `auto` leaves to the others.
+    pub fn image_settings(&self) -> Settings {
+        let settings = self.settings();
+        let compensate = self.compensate.0.unwrap_or(settings.compensates_cheaply());
+        Settings { compensate, ..settings }
+    }
+
+    /// What a frame depends on. Studies measure the bound by itself, unless compensation is asked for.
     pub fn settings(&self) -> Settings {
         let defaults = Settings::of(self.method);
         Settings {
@@ -207,7 +216,7 @@ impl RenderArgs {
             light_samples: self.light_samples.0,
             direct_filter: self.direct_filter,
             clamp: self.clamp,
-            compensate: self.compensate,
+            compensate: self.compensate.0.unwrap_or(false),
             correct: self.correct,
             samples: self.samples.unwrap_or(defaults.samples),
             edge_samples: self.edge_samples,

@@ -299,6 +299,10 @@ pub struct PathParams {
     pub bound: f32,
     /// By which the paths of bias compensation leave the visible point: 0 diffuse, 1 glossy.
     pub lobe: u32,
+    /// Rows of the visibility that clusters share, in fours.
+    pub quads: u32,
+    /// Unused.
+    pub pad: [u32; 3],
 }
 
 /// Parameters of the stage that starts bias compensation.
@@ -327,6 +331,12 @@ pub struct CompensatedParams {
     pub lobe: u32,
     /// Paths of each point.
     pub paths: u32,
+    /// The number of the first.
+    pub first: u32,
+    /// 1 if the difference of the halves of the paths is wanted, else 0.
+    pub halves: f32,
+    /// Unused.
+    pub pad: [u32; 2],
 }
 
 /// What arrives at a vertex of bias compensation in scenes with Phong surfaces, 32 bytes.

@@ -1,5 +1,7 @@
 //! Clusters of the visible points of a frame, and outliers of them that are clustered anew.
 
+use std::ops::Range;
+
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -62,6 +64,19 @@ impl PointClusters {
             }
         }
         Some(Self::join(records, &parts))
+    }
+
+    /// The cluster of each of a range of the points that counts most for it.
+    pub fn nearest(&self, points: Range<usize>) -> Vec<u32> {
+        let of_point = |point: usize| {
+            let first = point * self.shared;
+            let clusters = first..first + self.shared;
+            let weight = |&at: &usize| self.weights.as_ref().map_or(1.0, |weights| weights[at]);
+            // The first of those that count alike.
+            let most = clusters.rev().max_by(|a, b| weight(a).total_cmp(&weight(b)));
+            self.of_points[most.unwrap_or(first)]
+        };
+        points.map(of_point).collect()
     }
 
     /// The clusters of all parts, where a later part has its points for itself.

@@ -4,11 +4,12 @@
 use std::time::Duration;
 
 use super::dispatches::rays_of_dispatch;
-use super::filter::DirectFilter;
 use super::guide::Guide;
 use super::lobes::LobeRays;
 use crate::gpu::{DirectParams, GpuError};
 use crate::render::camera::{FrameSetup, Tile};
+use crate::render::filter::LightFilter;
+use crate::render::kernels::Filtered;
 use crate::render::lights::LightKind;
 use crate::render::prepared::Prepared;
 use crate::render::stage::{Named, Stage};
@@ -24,7 +25,7 @@ pub struct SampledLight<'a> {
     /// What all tiles share.
     params: DirectParams,
     guide: Option<Guide<'a>>,
-    filter: Option<DirectFilter<'a>>,
+    filter: Option<LightFilter<'a>>,
     stage: Stage,
     /// Rays by the lobes of glossy surfaces.
     lobes: Option<LobeRays<'a>>,
@@ -52,8 +53,9 @@ impl<'a> SampledLight<'a> {
             is_guided.then(|| Guide::new(setup, kinds, &strata, &table, named)).transpose()?;
         let rays = settings.light_samples_per_point();
         let filter = settings.filters_direct();
-        let filter =
-            filter.then(|| DirectFilter::new(setup, rays, irradiance, named)).transpose()?;
+        let filter = filter
+            .then(|| LightFilter::new(setup, Filtered::Direct, rays, irradiance.1, named))
+            .transpose()?;
         let mut named = named.to_vec();
         named.extend(filter.iter().map(|filter| ("ray_counts", &filter.ray_counts)));
         let [area_density, solid_density, sky_density] = prepared.lights.densities(kinds);

@@ -127,7 +127,7 @@ impl Interleave {
             Stage::with_textures(prepared, program, buffers, textures)
         };
         let split = bind(&kernels::split_subsets(), &buffers, &[])?;
-        let join = kernels::join_subsets(target, probed, settings.compensates());
+        let join = kernels::join_subsets(target, probed, settings.filters_compensation());
         let to_tables = [("packed_surfaces", &surfaces), ("stored_light", &gathered)];
         let join = bind(&join, &buffers, &to_tables)?;
         let combine = |light, last, buffers: &[Named<'_>], to: &[NamedTexture<'_>]| {

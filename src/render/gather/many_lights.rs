@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use super::columns::ColumnBits;
 use super::interleave::Subsets;
-use crate::gpu::{CorrectParams, ExpandParams, GpuError, ShadeParams, VisibilityParams};
+use crate::gpu::{CorrectParams, ExpandParams, GpuError, ShadeParams, Texture, VisibilityParams};
 use crate::render::camera::Tile;
 use crate::render::clusters::PointClusters;
 use crate::render::kernels;
@@ -83,6 +83,17 @@ pub struct Gather<'a> {
     chunk_words: u32,
     tracer: Tracer<'a>,
     corrections: Option<Corrections>,
+}
+
+/// What clusters of points see of clusters of VPLs.
+#[derive(Debug, Clone, Copy)]
+pub struct Sights<'a> {
+    /// The bits, as `shaders/visibility/expand.wgsl` reads them.
+    pub table: &'a Texture,
+    /// Rows, in fours.
+    pub quads: u32,
+    /// The place of the column of each cluster of VPLs.
+    pub of_clusters: &'a [u32],
 }
 
 /// The chunks of the bit matrix, in order.
@@ -293,6 +304,17 @@ impl<'a> Gather<'a> {
             }
         }
         Ok(rays)
+    }
+
+    /// What clusters of points share of the visibility of clusters of VPLs, if both do; traced by
+    /// [`Gather::trace_clusters`].
+    pub fn sights(&self) -> Option<Sights<'_>> {
+        let (Some(columns), Some(stages)) = (&self.lights.columns, &self.columns) else {
+            return None;
+        };
+        let Rows::Clusters { count, .. } = self.rows else { return None };
+        let quads = count.div_ceil(4);
+        Some(Sights { table: &stages.table, quads, of_clusters: &columns.of_clusters })
     }
 
     /// Pairs of so many points with the VPLs that each gathers.

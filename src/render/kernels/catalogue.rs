@@ -269,6 +269,11 @@ modules! {
     COMPENSATION_START = "compensation/start" for "bias compensation";
     COMPENSATION_DIFFUSE = "compensation/diffuse";
     COMPENSATION_GLOSSY = "compensation/glossy" for "phong";
+    COMPENSATION_SURVIVAL = "compensation/survival" for "bias compensation";
+    SIGHT_NONE = "compensation/sight_none";
+    SIGHT_COLUMNS = "compensation/sight_columns" for "bias compensation";
+    VPL_TABLE = "compensation/vpl_table" for "bias compensation";
+    VPL_TABLE_GLOSSY = "compensation/vpl_table_glossy" for "phong";
     COMPENSATION_CONTRIBUTION = "compensation/contribution" for "bias compensation";
     COMPENSATION_VPLS = "compensation/vpls" for "bias compensation";
     COMPENSATION_SEGMENT = "compensation/segment" for "bias compensation";

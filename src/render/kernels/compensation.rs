@@ -3,8 +3,9 @@
 use super::catalogue::{
     COMPENSATION_ADD, COMPENSATION_BOUND, COMPENSATION_CONTRIBUTION, COMPENSATION_DIFFUSE,
     COMPENSATION_GLOSSY, COMPENSATION_SEGMENT, COMPENSATION_SHARE, COMPENSATION_START,
-    COMPENSATION_VPLS, EMITTER_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE, PAIR_GLOSSY, PATH_STATE,
-    SAMPLING, SEEN_ALL, TABLE, TYPES,
+    COMPENSATION_SURVIVAL, COMPENSATION_VPLS, EMITTER_SURFACE, PAIR_BOUNDED, PAIR_DIFFUSE,
+    PAIR_GLOSSY, PATH_STATE, SAMPLING, SEEN_ALL, SIGHT_COLUMNS, SIGHT_NONE, TABLE, TYPES,
+    VPL_TABLE, VPL_TABLE_GLOSSY,
 };
 use super::materials::{gathered, lobes};
 use super::path::{next_event_by, segments, vertex};
@@ -26,11 +27,15 @@ pub fn next_event(target: Target, kind: LightKind) -> Option<Program> {
     next_event_by(target, kind, &back)
 }
 
-/// Light of VPLs at vertices.
-pub fn vpls(target: Target) -> Program {
-    let pair = if target.features.phong { &PAIR_GLOSSY } else { &PAIR_DIFFUSE };
+/// Light of VPLs at vertices; with `columns` of which clusters have told what they see.
+pub fn vpls(target: Target, columns: bool) -> Program {
+    let [table, pair] = match target.features.phong {
+        true => [&VPL_TABLE_GLOSSY, &PAIR_GLOSSY],
+        false => [&VPL_TABLE, &PAIR_DIFFUSE],
+    };
     let mut last = carried(target);
-    last.extend([vpl(target), &PAIR_BOUNDED, &EMITTER_SURFACE, &SEEN_ALL, pair]);
+    last.extend([vpl(target), &TABLE, table, &PAIR_BOUNDED, &EMITTER_SURFACE, &SEEN_ALL, pair]);
+    last.push(if columns { &SIGHT_COLUMNS } else { &SIGHT_NONE });
     last.push(&COMPENSATION_VPLS);
     Program::new("compensation, VPLs", vertex(target, &last))
 }
@@ -51,13 +56,14 @@ pub fn compensated(target: Target) -> Program {
 /// What is carried from vertex to vertex.
 fn carried(target: Target) -> Vec<&'static Module> {
     let of = if target.features.phong { &COMPENSATION_GLOSSY } else { &COMPENSATION_DIFFUSE };
-    [&lobes(target)[..], &[&COMPENSATION_SHARE, of]].concat()
+    [&lobes(target)[..], &[&COMPENSATION_SHARE, &COMPENSATION_SURVIVAL, of]].concat()
 }
 
 /// Every program of bias compensation for a target.
 pub fn all(target: Target) -> Vec<Program> {
-    let mut programs = vec![start(), compensated(target), vpls(target)];
+    let mut programs = vec![start(), compensated(target)];
     programs.extend(LightKind::ALL.into_iter().filter_map(|kind| next_event(target, kind)));
+    programs.extend([false, true].map(|columns| vpls(target, columns)));
     for areas in [false, true] {
         let kinds = [Bounces::Finite(1), Bounces::Unlimited];
         programs.extend(kinds.map(|bounces| segment(target, bounces, areas)));

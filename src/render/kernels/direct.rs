@@ -3,16 +3,13 @@
 use super::camera::corners;
 use super::catalogue::{
     CHOOSE_STRATUM, CHOOSE_STRATUM_EVEN, DIRECT_EXACT, DIRECT_PARAMS, DIRECT_SAMPLED, EMITTED,
-    EMITTED_ANY, EMITTED_NONE, ESCAPING, ESCAPING_NONE, FILTER_FAR, FILTER_GUIDE, FILTER_LEVEL,
-    FILTER_NEAR, FILTER_PARAMS, FILTER_SURFACES, GUIDE, GUIDE_PARAMS, GUIDE_PILOT,
-    GUIDE_UNSHADOWED, HEMISPHERE, HIT_POINT, LIGHT_KINDS, LIGHT_TABLE, LIGHT_TO_POINTS,
-    LIGHT_TO_TABLE, LOBE_RAYS, LOBE_SAMPLE, MEAN, MIS, ONE_SURFACE, PACK_LIGHT, PACK_SURFACES,
-    PIXELS, RAY, RAY_COUNTS, RAYS_ALIKE, RAYS_COUNTED, RECEIVER_LOBED, RECEIVER_PLAIN, SAMPLING,
-    SPHERE_CONE, TABLE, TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
+    EMITTED_ANY, EMITTED_NONE, ESCAPING, ESCAPING_NONE, GUIDE, GUIDE_PARAMS, GUIDE_PILOT,
+    GUIDE_UNSHADOWED, HEMISPHERE, HIT_POINT, LIGHT_KINDS, LOBE_RAYS, LOBE_SAMPLE, MEAN, MIS, RAY,
+    RAYS_ALIKE, RAYS_COUNTED, RECEIVER_LOBED, RECEIVER_PLAIN, SAMPLING, SPHERE_CONE, TABLE,
+    TRIANGLE_AREA, TRIANGLE_SOLID_ANGLE, TYPES, VIEW_DIRECTION,
 };
-use super::gather::{surface, surface_code};
 use super::lights::{light_strata, lights_of, sky};
-use super::materials::{emission_scale_at, gathered, lobes};
+use super::materials::{emission_scale_at, lobes};
 use super::trace::{rays, shape};
 use crate::gpu::{Module, Program};
 use crate::render::features::Target;
@@ -131,55 +128,6 @@ pub fn guide_pilot(target: Target, kinds: &[LightKind], near: bool) -> Program {
 /// The probabilities of strata by what pilot rays found.
 pub fn guide() -> Program {
     Program::new("direct light, guide", vec![&GUIDE_PARAMS, &TABLE, &GUIDE])
-}
-
-/// The surfaces of visible points in the order of pixels.
-pub fn pack_surfaces(target: Target) -> Program {
-    let mut modules = surface_code(target);
-    modules.extend(filtering());
-    modules.push(&PACK_SURFACES);
-    Program::new("direct light, surfaces", modules)
-}
-
-/// How many light samples visible points take, by how many pixels around see the same surface.
-pub fn ray_counts(target: Target) -> Program {
-    let modules = [&filtering()[..], &surfaces_around(target), &[&RAY_COUNTS]].concat();
-    Program::new("direct light, ray counts", modules)
-}
-
-/// The light of visible points in the order of pixels.
-pub fn pack_light(target: Target) -> Program {
-    let modules = [&filtering()[..], &[gathered(target), &LIGHT_TO_TABLE, &PACK_LIGHT]].concat();
-    Program::new("direct light, packing", modules)
-}
-
-/// What the filter of direct light compares.
-pub fn filter_guide() -> Program {
-    let modules = [&filtering()[..], &[&FILTER_GUIDE]].concat();
-    Program::new("direct light, local means", modules)
-}
-
-/// A level of the filter of direct light; `near` is whether its taps are among the 5 × 5 pixels
-/// around, and `last` whether its result is that of the filter.
-pub fn filter_level(target: Target, near: bool, last: bool) -> Program {
-    let mut modules = filtering();
-    match near {
-        true => modules.push(&FILTER_NEAR),
-        false => modules.extend(surfaces_around(target).into_iter().chain([&FILTER_FAR])),
-    }
-    let to = if last { &LIGHT_TO_POINTS } else { &LIGHT_TO_TABLE };
-    modules.extend([gathered(target), &LIGHT_TABLE, to, &FILTER_LEVEL]);
-    Program::new("direct light, filter", modules)
-}
-
-/// What all stages of the filter share.
-fn filtering() -> Vec<&'static Module> {
-    vec![&TYPES, &PIXELS, &TABLE, &FILTER_PARAMS]
-}
-
-/// What looks at the surfaces of the pixels around one.
-fn surfaces_around(target: Target) -> [&'static Module; 3] {
-    [&ONE_SURFACE, surface(target), &FILTER_SURFACES]
 }
 
 fn place(near: bool) -> &'static Module {

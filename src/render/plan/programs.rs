@@ -3,10 +3,10 @@
 use super::Plan;
 use crate::gpu::Program;
 use crate::render::kernels::{
-    self, Emitter, LightRays, antialias, background, clamped_energy, compensation,
-    discontinuity_buffer, draw_members, emit, expand, first_rays, join_subsets, link_rays,
-    pack_columns, path, reflect, replace_points, resolve, resolve_rays, shade, show, split_subsets,
-    unseen_surfaces, visible_points,
+    self, Emitter, FilterPrograms, Filtered, LightRays, antialias, background, clamped_energy,
+    compensation, discontinuity_buffer, draw_members, emit, expand, first_rays, join_subsets,
+    link_rays, pack_columns, path, reflect, replace_points, resolve, resolve_rays, shade, show,
+    split_subsets, unseen_surfaces, visible_points,
 };
 use crate::render::lights::LightKind;
 use crate::render::settings::{Bounces, Clamp, Direct, Method, Settings};
@@ -48,7 +48,7 @@ impl Plan {
                 shade(target, bounded, settings.sharing(), Emitter::Surface),
                 reflect(target),
             ]);
-            let combined = settings.compensates() && settings.interleaves();
+            let combined = settings.filters_compensation();
             programs.extend(bounded.then(|| clamped_energy(target, combined)));
             if settings.corrects() {
                 programs.push(kernels::correct(target, bounded, settings.sharing()));
@@ -62,7 +62,7 @@ impl Plan {
             if settings.interleaves() {
                 programs.extend([
                     split_subsets(),
-                    join_subsets(target, settings.probes(), settings.compensates()),
+                    join_subsets(target, settings.probes(), combined),
                     discontinuity_buffer(target, false),
                     discontinuity_buffer(target, true),
                 ]);
@@ -106,9 +106,15 @@ impl Plan {
         let target = self.target();
         let mut programs = vec![compensation::start(), path::count(), path::compact()];
         programs.extend(self.kinds().filter_map(|kind| compensation::next_event(target, kind)));
-        programs.extend([compensation::vpls(target), compensation::compensated(target)]);
+        programs.extend([
+            compensation::vpls(target, settings.shares_sights()),
+            compensation::compensated(target),
+        ]);
         let areas = self.lights.have_surfaces();
         programs.push(compensation::segment(target, settings.bounces, areas));
+        if settings.filters_compensation() {
+            programs.extend(self.filter_programs(Filtered::Compensation).all());
+        }
         programs
     }
 
@@ -131,7 +137,7 @@ impl Plan {
                 programs.extend(self.direct_guide_programs(&sampled));
             }
             if settings.filters_direct() {
-                programs.extend(self.direct_filter_programs());
+                programs.extend(self.filter_programs(Filtered::Direct).all());
             }
         }
         programs
@@ -162,19 +168,9 @@ impl Plan {
         kernels::direct_lobe_rays(self.target(), kinds, light_rays(settings))
     }
 
-    /// The filter of direct light: surfaces, counts of light samples, light, local means, and levels
-    /// near, far and last.
-    pub fn direct_filter_programs(&self) -> [Program; 7] {
-        let target = self.target();
-        [
-            kernels::pack_surfaces(target),
-            kernels::ray_counts(target),
-            kernels::pack_light(target),
-            kernels::filter_guide(),
-            kernels::filter_level(target, true, false),
-            kernels::filter_level(target, false, false),
-            kernels::filter_level(target, false, true),
-        ]
+    /// What filters light over pixels.
+    pub fn filter_programs(&self, filtered: Filtered) -> FilterPrograms {
+        FilterPrograms::new(self.target(), filtered)
     }
 
     /// Shadow rays between points and lights.

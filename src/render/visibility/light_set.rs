@@ -3,7 +3,7 @@
 use bytemuck::Zeroable;
 
 use super::members::{Draws, Members};
-use crate::gpu::{GlossyVplRecord, GpuError, Texture, VplRecord};
+use crate::gpu::{GlossyVplRecord, Gpu, GpuError, Texture, VplRecord};
 use crate::render::clusters::VplClusters;
 use crate::render::kernels::Emitter;
 use crate::render::prepared::Prepared;
@@ -38,6 +38,8 @@ pub struct Columns {
     pub ends: ColumnEnds,
     /// The cluster of each VPL, filled up to whole words.
     pub of_vpls: Texture,
+    /// The place of the column of each cluster.
+    pub of_clusters: Vec<u32>,
 }
 
 /// What shadow rays to clusters of VPLs are traced to.
@@ -58,10 +60,7 @@ pub struct SharedColumns<'a> {
     pub draws: Option<Draws<'a>>,
 }
 
-/// The name by which shaders know lights that points gather.
-pub const VPL_BUFFER: &str = "vpls";
-
-/// Uploads lights in their order.
+/// Lights in their order, in a table.
 ///
 /// # Errors
 /// The device refuses.
@@ -69,9 +68,18 @@ pub fn table(
     prepared: &Prepared,
     lights: &[VirtualLight],
     bound: Option<&GeometryBound>,
-) -> Result<wgpu::Buffer, GpuError> {
-    let order: Vec<_> = (0..lights.len() as u32).map(Some).collect();
-    upload(prepared, "VPLs by bounces", lights, &order, 1.0, bound)
+) -> Result<Texture, GpuError> {
+    fn of<T: bytemuck::Pod>(
+        gpu: &Gpu,
+        lights: &[VirtualLight],
+        record: impl Fn(&VirtualLight) -> T,
+    ) -> Result<Texture, GpuError> {
+        gpu.texture_of("vpl_table", &lights.iter().map(record).collect::<Vec<_>>())
+    }
+    match prepared.features.phong {
+        true => of(&prepared.gpu, lights, |light| glossy(light, 1.0, bound)),
+        false => of(&prepared.gpu, lights, |light| diffuse(light, 1.0, bound)),
+    }
 }
 
 impl LightSet {
@@ -145,6 +153,7 @@ impl Columns {
             words: (order.len() / 32) as u32,
             ends,
             of_vpls: prepared.gpu.texture_of("column_of", &of_vpls)?,
+            of_clusters: column_of,
         })
     }
 }
