@@ -230,8 +230,8 @@ impl Settings {
     pub fn of(method: Method) -> Self {
         Self {
             method,
-            light_paths: 8000,
-            candidates: if method.clusters_points() { 8 } else { 1 },
+            light_paths: if method.clusters_points() { 32_000 } else { 8000 },
+            candidates: if method.clusters_points() { 4 } else { 1 },
             bounces: Bounces::Finite(2),
             direct: Direct::PerPixel,
             light_samples: None,
@@ -242,7 +242,7 @@ impl Settings {
             samples: if method == Method::Path { 16 } else { 1 },
             edge_samples: 16,
             clustering: Clustering::default(),
-            interleave: if method.clusters_points() { 4 } else { 1 },
+            interleave: if method.clusters_points() { 8 } else { 1 },
             link_everything: false,
         }
     }

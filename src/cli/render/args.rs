@@ -26,14 +26,13 @@ pub struct RenderArgs {
     pub method: Method,
 
     /// VPLs that are gathered; without candidates, light paths, each of which leaves up to one VPL
-    /// a bounce
+    /// a bounce [default: 32000 with vpc and both, else 8000]
     #[arg(long, allow_negative_numbers = true, value_name = "N",
-          default_value_t = Settings::default().light_paths,
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_LIGHT_PATHS)))]
-    pub vpls: u32,
+    pub vpls: Option<u32>,
 
     /// Light paths are traced until they have left so many VPLs for each one that is gathered; those
-    /// that the image needs are kept, by chance, and stand for the others; 1 is off [default: 8 with
+    /// that the image needs are kept, by chance, and stand for the others; 1 is off [default: 4 with
     /// vpc and both, else 1]
     #[arg(long, allow_negative_numbers = true, value_name = "C",
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_CANDIDATES)))]
@@ -209,7 +208,7 @@ impl RenderArgs {
         let defaults = Settings::of(self.method);
         Settings {
             method: self.method,
-            light_paths: self.vpls,
+            light_paths: self.vpls.unwrap_or(defaults.light_paths),
             candidates: self.vpl_candidates.unwrap_or(defaults.candidates),
             bounces: self.bounces,
             direct: self.direct,
