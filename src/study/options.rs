@@ -94,7 +94,7 @@ pub fn of_frame(scene: &str, settings: &Settings, seed: u32) -> String {
 /// defaults of the method.
 pub fn changed(settings: &Settings) -> String {
     const ALWAYS: [&str; 3] = ["method", "vpls", "samples"];
-    let defaults = values(&Settings::of(settings.method));
+    let defaults = values(&Settings::of_vpls(settings.method, settings.light_paths));
     let mut changed = values(settings);
     changed.retain(|value| ALWAYS.contains(&value.0) || !defaults.contains(value));
     joined(&changed)

@@ -33,7 +33,7 @@ pub struct RenderArgs {
 
     /// Light paths are traced until they have left so many VPLs for each one that is gathered; those
     /// that the image needs are kept, by chance, and stand for the others; 1 is off [default: 4 with
-    /// vpc and both, else 1]
+    /// vpc and both, 8 with fewer than 24000 VPLs; else 1]
     #[arg(long, allow_negative_numbers = true, value_name = "C",
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_CANDIDATES)))]
     pub vpl_candidates: Option<u32>,
@@ -47,7 +47,8 @@ pub struct RenderArgs {
     pub clustering: ClusteringArgs,
 
     /// Interleaved sampling: a pixel gathers one of s × s subsets of the VPLs, and combines what
-    /// the pixels around it gathered; 1 is off [default: 4 with vpc and both, else 1]
+    /// the pixels around it gathered; 1 is off [default: 8 with vpc
+    /// and both, 4 with fewer than 24000 VPLs; else 1]
     #[arg(long, allow_negative_numbers = true, value_name = "S",
           value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_INTERLEAVE)))]
     pub interleave: Option<u32>,
@@ -205,10 +206,11 @@ impl RenderArgs {
 
     /// What a frame depends on. Studies measure the bound by itself, unless compensation is asked for.
     pub fn settings(&self) -> Settings {
-        let defaults = Settings::of(self.method);
+        let vpls = self.vpls.unwrap_or(Settings::of(self.method).light_paths);
+        let defaults = Settings::of_vpls(self.method, vpls);
         Settings {
             method: self.method,
-            light_paths: self.vpls.unwrap_or(defaults.light_paths),
+            light_paths: vpls,
             candidates: self.vpl_candidates.unwrap_or(defaults.candidates),
             bounces: self.bounces,
             direct: self.direct,
