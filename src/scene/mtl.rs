@@ -1,6 +1,7 @@
 //! Wavefront MTL, read line by line: what of it is not shown is reported with its line, which
 //! `tobj`'s reader does not keep.
 
+mod kind;
 mod map;
 mod material;
 mod statement;
@@ -21,6 +22,8 @@ pub fn read(file: &Path) -> Result<Vec<MtlMaterial>, SceneError> {
 
 fn parse(file: &Path, text: &str) -> Result<Vec<MtlMaterial>, SceneError> {
     let mut materials: Vec<MtlMaterial> = Vec::new();
+    let mut comments = text.lines().filter(|line| line.trim_start().starts_with('#'));
+    let says_blender = comments.any(|comment| comment.to_ascii_lowercase().contains("blender"));
     for (line, content) in (1..).zip(text.lines()) {
         let mut words = content.split_whitespace().take_while(|word| !word.starts_with('#'));
         let Some(keyword) = words.next() else { continue };
@@ -29,7 +32,8 @@ fn parse(file: &Path, text: &str) -> Result<Vec<MtlMaterial>, SceneError> {
             // A name may hold blanks and '#'.
             let name = content.trim_start()[keyword.len()..].trim().to_owned();
             let file = file.to_owned();
-            materials.push(MtlMaterial { name, file, line, ..MtlMaterial::default() });
+            let unread = MtlMaterial::default();
+            materials.push(MtlMaterial { name, file, line, says_blender, ..unread });
         } else if let Some(material) = materials.last_mut() {
             statement.apply(material)?;
         } else if statement.is_colour() {
@@ -43,7 +47,10 @@ impl Statement<'_> {
     /// Notes what it says of a material. Unknown statements are passed over, as the many
     /// extensions of the format ask for.
     fn apply(&self, material: &mut MtlMaterial) -> Result<(), SceneError> {
-        match self.lowercase().as_str() {
+        let keyword = self.lowercase();
+        material.order.extend(ORDERED.iter().copied().find(|ordered| *ordered == keyword));
+        match keyword.as_str() {
+            "ka" => material.ambient = self.colour().ok(),
             "kd" => material.diffuse = Some(self.colour()?),
             "ks" => material.specular = self.colour()?,
             "ke" => material.emission = Some(self.colour()?),
@@ -52,8 +59,8 @@ impl Statement<'_> {
                 let halo = self.words.first().is_some_and(|w| w.eq_ignore_ascii_case("-halo"));
                 material.dissolve = Some(self.number(usize::from(halo))?);
             }
-            "tr" => material.transparency = self.number(0)?,
-            "illum" => material.illumination = self.number(0)?,
+            "tr" => material.transparency = Some(self.number(0)?),
+            "illum" => material.illumination = Some(self.number(0)?),
             "ni" => material.refraction = Some(self.number(0)?),
             "tf" => material.transmission = Some(self.colour()?),
             "map_kd" => material.diffuse_map = Map::parse(self)?,
@@ -71,3 +78,6 @@ impl Statement<'_> {
 
 /// Textures whose statement does not begin with `map_`.
 const SURFACE_MAPS: [&str; 5] = ["bump", "disp", "decal", "refl", "norm"];
+
+/// Statements whose order tells who wrote them.
+const ORDERED: [&str; 10] = ["ns", "ka", "kd", "ks", "ke", "ni", "d", "tr", "tf", "illum"];
