@@ -7,8 +7,10 @@
 //! `KHR_lights_punctual`. What else changes the image is reported.
 
 mod accessor;
+mod extensions;
 mod graph;
 mod json;
+mod lenient;
 mod material;
 mod source;
 mod surface;
@@ -48,6 +50,17 @@ pub fn read(path: &Path) -> Result<(Mesh, View), SceneError> {
         node.extensions.others.keys().for_each(|name| *unknown.entry(name).or_default() += 1);
     }
     let mut warnings = surfaces.warnings();
+    warnings.extend(source.notes.iter().map(|note| Warning::note(source.says(note))));
+    warnings.extend(extensions::warnings(&source));
+    let document = &source.document;
+    if !document.animations.is_empty() {
+        let what = "has animations, which are left out: it is shown at rest";
+        warnings.push(Warning::changed(source.says(what)));
+    }
+    if document.scenes.len() > 1 {
+        let what = format!("has {} scenes, of which one is shown", document.scenes.len());
+        warnings.push(Warning::note(source.says(&what)));
+    }
     warnings.extend(unknown.iter().map(|(name, count)| {
         let what = format!("{count} nodes have {name}, not supported; it is left out");
         Warning::changed(source.says(&what))

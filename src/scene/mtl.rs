@@ -9,15 +9,28 @@ mod surface;
 
 use std::path::Path;
 
-use super::SceneError;
+use encoding_rs::Encoding;
+
 use super::text::read_text;
+use super::{SceneError, Warning};
 use map::Map;
 pub use material::MtlMaterial;
 use statement::Statement;
 
-/// Reads all materials of a file; of two of one name, the first.
-pub fn read(file: &Path) -> Result<Vec<MtlMaterial>, SceneError> {
-    parse(file, &read_text(file)?)
+/// Reads all materials of a file; of two of one name, the first. It is in the encoding of the mesh that
+/// names it, if it can be.
+pub fn read(
+    file: &Path,
+    like: &'static Encoding,
+    warnings: &mut Vec<Warning>,
+) -> Result<Vec<MtlMaterial>, SceneError> {
+    let text = read_text(file, Some(like))?;
+    warnings.extend(text.note(file));
+    let mut materials = parse(file, &text.content)?;
+    for material in &mut materials {
+        material.encoding = Some(text.encoding);
+    }
+    Ok(materials)
 }
 
 fn parse(file: &Path, text: &str) -> Result<Vec<MtlMaterial>, SceneError> {

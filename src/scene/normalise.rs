@@ -26,6 +26,8 @@ pub struct Normalised {
     pub triangles: Vec<Triangle>,
     /// Their texture coordinates.
     pub uvs: Vec<[Vec2; 3]>,
+    /// What their albedo is multiplied by at their corners.
+    pub colors: Vec<[Vec3; 3]>,
     /// The spheres.
     pub spheres: Vec<Sphere>,
     /// The way back.
@@ -64,8 +66,9 @@ pub fn shapes(
         return Err(origin.error("a coordinate is beyond 1e100, or not a number; scale the scene"));
     }
     let nothing = || origin.error("no triangle with an area, and no sphere: nothing to render");
+    let attributes = || draft.uvs.iter().zip(&draft.colors);
     let with_area =
-        || triangles.iter().zip(&draft.uvs).filter(|((corners, _), _)| has_area(corners));
+        || triangles.iter().zip(attributes()).filter(|((corners, _), _)| has_area(corners));
     if with_area().next().is_none() && spheres.is_empty() {
         return Err(nothing());
     }
@@ -75,11 +78,11 @@ pub fn shapes(
         return Err(origin.error("the scene is smaller than 1e-100 units; scale it"));
     }
     let mut distinct = Distinct::default();
-    for (&(corners, material), &uvs) in with_area() {
+    for (&(corners, material), (&uvs, &colors)) in with_area() {
         let vertices = corners.map(|corner| round(units.normalise(corner)));
         let triangle = Triangle { vertices, material };
         if keeps_area(&triangle) {
-            distinct.add(triangle, uvs, materials);
+            distinct.add(triangle, uvs, colors, materials);
         }
     }
     let spheres = spheres
@@ -100,6 +103,7 @@ pub fn shapes(
         warnings: distinct.warnings(origin, dropped),
         triangles: distinct.triangles,
         uvs: distinct.uvs,
+        colors: distinct.colors,
         spheres,
         units,
         dropped: dropped as u64,
@@ -129,13 +133,20 @@ fn keeps_area(triangle: &Triangle) -> bool {
 struct Distinct {
     triangles: Vec<Triangle>,
     uvs: Vec<[Vec2; 3]>,
+    colors: Vec<[Vec3; 3]>,
     seen: HashMap<[[u32; 3]; 3], usize>,
     duplicates: usize,
     lost_light: bool,
 }
 
 impl Distinct {
-    fn add(&mut self, triangle: Triangle, uvs: [Vec2; 3], materials: &[Material]) {
+    fn add(
+        &mut self,
+        triangle: Triangle,
+        uvs: [Vec2; 3],
+        colors: [Vec3; 3],
+        materials: &[Material],
+    ) {
         let mut key = triangle.vertices.map(|vertex| vertex.to_array().map(f32::to_bits));
         key.sort_unstable();
         let index = *self.seen.entry(key).or_insert(self.triangles.len());
@@ -143,6 +154,7 @@ impl Distinct {
             None => {
                 self.triangles.push(triangle);
                 self.uvs.push(uvs);
+                self.colors.push(colors);
             }
             Some(first) => {
                 self.duplicates += 1;

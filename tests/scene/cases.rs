@@ -1,6 +1,9 @@
 //! Files as people's programs write them, of `tests/cases`, beside small ones of the same kind.
 
 mod mtl_glass;
+mod names;
+mod silence;
+mod strict;
 
 use gpu_vpl::scene::{Material, Scene};
 

@@ -98,13 +98,14 @@ fn concave_polygons_keep_their_area() {
 
 #[test]
 fn materials_that_are_not_there_are_grey_with_a_warning() {
-    let scene = load_obj(&format!("mtllib gone.mtl\n{SQUARE}usemtl red car\nf 1 2 3\n")).unwrap();
+    let alone = format!("mtllib gone.mtl\n{SQUARE}usemtl red car\nf 1 2 3\n");
+    let scene = load(&[("mesh.obj", &alone)]).unwrap();
     assert_eq!(scene.materials[0].albedo.to_array(), [0.8; 3]);
     warned(&scene, "mesh.obj:6: no material `red car`", true);
     warned(&scene, "mesh.obj:1: no material library `gone.mtl`", false);
     // A missing library that nothing misses changes nothing.
     let scene = load_obj(&format!("mtllib gone.mtl\n{MESH}")).unwrap();
-    warned(&scene, "no material library `gone.mtl`", false);
+    warned(&scene, "no library `gone.mtl` here; mesh.mtl is read", false);
 }
 
 #[test]

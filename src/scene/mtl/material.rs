@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use encoding_rs::Encoding;
 use glam::DVec3;
 
 use super::map::Map;
@@ -13,6 +14,8 @@ pub struct MtlMaterial {
     pub name: String,
     pub(super) file: PathBuf,
     pub(super) line: usize,
+    /// That of the file.
+    pub(super) encoding: Option<&'static Encoding>,
     /// Whether a comment of the file names Blender.
     pub(super) says_blender: bool,
     /// The first statements, in the file's order.

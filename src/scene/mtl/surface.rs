@@ -67,6 +67,11 @@ impl MtlMaterial {
         draft.add_material(material)
     }
 
+    /// Whether a map gives its colour.
+    pub fn is_textured(&self) -> bool {
+        self.diffuse_map.is_some()
+    }
+
     /// What of the light a glass lets on; a colour that has no part in it is named.
     fn tint(&self, opacity: f64, draft: &mut Draft, faults: &mut Faults) -> DVec3 {
         if let Some(tint) = self.transmission.filter(|&tint| is_partial(tint)) {
@@ -87,7 +92,7 @@ impl MtlMaterial {
             Some(map) => {
                 let what = "has a map_Kd on what is half transparent, of which the mean is used";
                 faults.changes.push(what.to_owned());
-                let path = map.path(&self.file);
+                let path = map.path(&self.file, self.encoding, &mut draft.warnings);
                 let origin = Origin::line(&self.file, map.line);
                 let means = draft.image_means(&path, &origin, "1 is used", || read_image(&path));
                 means.map_or(DVec3::ONE, |means| means.light)
@@ -176,7 +181,7 @@ impl MtlMaterial {
             let what = format!("{keyword} has {options}, not supported; left out");
             draft.warnings.push(origin.changed(what));
         }
-        let path = map.path(&self.file);
+        let path = map.path(&self.file, self.encoding, &mut draft.warnings);
         let image = draft.image(&path, part, &origin, || read_image(&path));
         draft.add_texture(map.texture(image))
     }

@@ -87,13 +87,15 @@ impl Decoded {
     pub fn means(&self) -> Means {
         let table: Vec<f64> =
             (0..=u8::MAX).map(|value| f64::from(linear(f32::from(value) / 255.0))).collect();
-        let (mut light, mut data) = (DVec3::ZERO, DVec3::ZERO);
-        for &[r, g, b, _] in &self.rgba {
+        let (mut light, mut data, mut alpha) = (DVec3::ZERO, DVec3::ZERO, 0.0);
+        for &[r, g, b, a] in &self.rgba {
             light += DVec3::from_array([r, g, b].map(|value| table[usize::from(value)]));
             data += DVec3::from_array([r, g, b].map(f64::from));
+            alpha += f64::from(a);
         }
         let count = self.rgba.len() as f64;
-        Means { light: light / count, data: data / (255.0 * count) }
+        let of_255 = 255.0 * count;
+        Means { light: light / count, data: data / of_255, alpha: alpha / of_255 }
     }
 }
 
@@ -104,4 +106,6 @@ pub struct Means {
     pub light: DVec3,
     /// Of its channels, as numbers in [0, 1].
     pub data: DVec3,
+    /// Of its alpha, in [0, 1].
+    pub alpha: f64,
 }

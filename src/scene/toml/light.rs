@@ -1,7 +1,6 @@
 //! The `[[light]]` tables.
 
 use std::f64::consts::TAU;
-use std::path::Path;
 
 use glam::DVec3;
 
@@ -93,7 +92,7 @@ fn environment(section: &Section, _: usize, draft: &mut Draft) -> Result<(), Sce
         return Ok(());
     };
     let origin = texture.origin();
-    let path = origin.file.parent().unwrap_or(Path::new("")).join(texture.string()?);
+    let path = texture.path(&mut draft.warnings)?;
     let (read, warning) = environment::read(&path, radiance.unwrap_or(DVec3::ONE), &origin);
     draft.environment = Some(read);
     draft.warnings.extend(warning);
