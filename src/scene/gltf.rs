@@ -12,6 +12,7 @@ mod graph;
 mod json;
 mod lenient;
 mod material;
+pub mod omitted;
 mod source;
 mod surface;
 mod texture;

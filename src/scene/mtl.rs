@@ -4,6 +4,7 @@
 mod kind;
 mod map;
 mod material;
+pub mod omitted;
 mod statement;
 mod surface;
 
@@ -45,8 +46,9 @@ fn parse(file: &Path, text: &str) -> Result<Vec<MtlMaterial>, SceneError> {
             // A name may hold blanks and '#'.
             let name = content.trim_start()[keyword.len()..].trim().to_owned();
             let file = file.to_owned();
+            let again = materials.iter().any(|material| material.name == name);
             let unread = MtlMaterial::default();
-            materials.push(MtlMaterial { name, file, line, says_blender, ..unread });
+            materials.push(MtlMaterial { name, file, line, says_blender, again, ..unread });
         } else if let Some(material) = materials.last_mut() {
             statement.apply(material)?;
         } else if statement.is_colour() {
@@ -57,7 +59,7 @@ fn parse(file: &Path, text: &str) -> Result<Vec<MtlMaterial>, SceneError> {
 }
 
 impl Statement<'_> {
-    /// Notes what it says of a material. Unknown statements are passed over, as the many
+    /// Notes what it says of a material. Unknown statements are passed over with a note, as the many
     /// extensions of the format ask for.
     fn apply(&self, material: &mut MtlMaterial) -> Result<(), SceneError> {
         let keyword = self.lowercase();
@@ -70,27 +72,26 @@ impl Statement<'_> {
             "ns" => material.shininess = self.number(0)?,
             "d" => {
                 let halo = self.words.first().is_some_and(|w| w.eq_ignore_ascii_case("-halo"));
-                material.dissolve = Some(self.number(usize::from(halo))?);
+                let opacity = self.number(usize::from(halo))?;
+                material.dissolve = Some(opacity);
+                material.omit(omitted::of_halo(opacity).filter(|_| halo), "d -halo");
             }
             "tr" => material.transparency = Some(self.number(0)?),
-            "illum" => material.illumination = Some(self.number(0)?),
+            "illum" => {
+                let model = self.number(0)?;
+                material.illumination = Some(model);
+                material.omit(omitted::of_illumination(model), &format!("illum {model}"));
+            }
             "ni" => material.refraction = Some(self.number(0)?),
             "tf" => material.transmission = Some(self.colour()?),
             "map_kd" => material.diffuse_map = Map::parse(self)?,
             "map_d" => material.opacity_map = Map::parse(self)?,
             "map_ke" => material.emission_map = Map::parse(self)?,
-            "map_ka" => {}
-            name if name.starts_with("map_") || SURFACE_MAPS.contains(&name) => {
-                material.other_maps.push(self.keyword.to_owned());
-            }
-            _ => {}
+            other => material.omit(omitted::of_statement(other, self.number(0).ok()), self.keyword),
         }
         Ok(())
     }
 }
-
-/// Textures whose statement does not begin with `map_`.
-const SURFACE_MAPS: [&str; 5] = ["bump", "disp", "decal", "refl", "norm"];
 
 /// Statements whose order tells who wrote them.
 const ORDERED: [&str; 10] = ["ns", "ka", "kd", "ks", "ke", "ni", "d", "tr", "tf", "illum"];

@@ -18,6 +18,7 @@ use super::mtl::{self, MtlMaterial};
 use super::names::{self, Found};
 use super::text::read_text;
 use super::{Draft, DraftMaterial, Origin, Scene, SceneError, Warning, bare, polygon};
+pub use omitted::OMITTED;
 use scan::{Named, Scan};
 
 /// The materials of all libraries, and what `usemtl` asks for.
@@ -95,7 +96,9 @@ fn read_libraries(
                 let origin = Origin::line(file, *line);
                 for Found { path, note } in libraries {
                     scan.warnings.extend(note.map(|note| origin.note(note)));
-                    described.extend(mtl::read(&path, encoding, &mut scan.warnings)?);
+                    let materials = mtl::read(&path, encoding, &mut scan.warnings)?;
+                    scan.warnings.extend(materials.iter().filter_map(MtlMaterial::as_second));
+                    described.extend(materials);
                 }
             }
             Err(missing) => scan.warnings.extend(missing.iter().map(|name| {

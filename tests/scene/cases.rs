@@ -1,5 +1,6 @@
 //! Files as people's programs write them, of `tests/cases`, beside small ones of the same kind.
 
+mod formats;
 mod mtl_glass;
 mod names;
 mod silence;

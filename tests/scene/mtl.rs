@@ -160,7 +160,8 @@ fn mapped(mtl: &str) -> Scene {
 /// What the texture of the albedo shows at a place from the bottom left.
 fn shown(mtl: &str, u: f32, v: f32) -> [f32; 3] {
     let scene = mapped(mtl);
-    assert!(scene.warnings.iter().all(|w| !w.message.contains("m.mtl")), "{:?}", scene.warnings);
+    let told = |message: &str| message.contains("m.mtl") && !message.contains("with alpha");
+    assert!(scene.warnings.iter().all(|w| !told(&w.message)), "{:?}", scene.warnings);
     let texture = scene.textures[scene.materials[0].texture.unwrap() as usize];
     texture.sample(&scene.images, Vec2::new(u, 1.0 - v)).truncate().to_array()
 }

@@ -61,6 +61,7 @@ pub struct Light {
     pub kind: String,
     pub color: Option<[f64; 3]>,
     pub intensity: Option<f64>,
+    pub range: Option<f64>,
     pub spot: Spot,
 }
 

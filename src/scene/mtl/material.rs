@@ -33,6 +33,15 @@ pub struct MtlMaterial {
     pub(super) diffuse_map: Option<Map>,
     pub(super) opacity_map: Option<Map>,
     pub(super) emission_map: Option<Map>,
-    /// Statements of maps that are not shown.
-    pub(super) other_maps: Vec<String>,
+    /// Whether another of this name came before.
+    pub(super) again: bool,
+    /// Rows of [`OMITTED`](super::omitted::OMITTED) that its statements are of, and the statements.
+    pub(super) omitted: Vec<(usize, String)>,
+}
+
+impl MtlMaterial {
+    /// Notes a statement that is not shown, if a row of what is not is given.
+    pub(super) fn omit(&mut self, row: Option<usize>, statement: &str) {
+        self.omitted.extend(row.map(|row| (row, statement.to_owned())));
+    }
 }

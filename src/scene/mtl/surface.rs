@@ -8,7 +8,9 @@ use glam::DVec3;
 use super::kind::{Kind, is_partial};
 use super::map::Map;
 use super::material::MtlMaterial;
+use super::omitted::{self, OMITTED};
 use crate::scene::mesh::DEFAULT_ALBEDO;
+use crate::scene::omission::Omission;
 use crate::scene::texture::{Part, read_image};
 use crate::scene::{Bsdf, Draft, DraftMaterial, Origin, SceneError, Warning, normalise};
 
@@ -44,16 +46,18 @@ impl MtlMaterial {
         if kind == Kind::Mirror && self.diffuse_map.is_some() {
             faults.changes.push("has a map_Kd, not shown by mirrors".to_owned());
         }
-        if !self.other_maps.is_empty() {
-            let maps = self.other_maps.join(", ");
-            faults.changes.push(format!("has {maps}, not shown"));
+        self.name_omitted(&mut faults);
+        let diffuse_map = self.diffuse_map.as_ref().filter(|_| !specular);
+        let texture = diffuse_map.map(|map| self.texture(draft, map, Part::Color));
+        if texture.is_some_and(|texture| draft.has_holes(texture)) && self.opacity_map.is_none() {
+            let what = format!("has a map_Kd with alpha, {}", OMITTED[omitted::ALPHA].instead);
+            faults.notes.push(what);
         }
         draft.warnings.extend(self.warning(faults));
-        let diffuse_map = self.diffuse_map.as_ref().filter(|_| !specular);
         let material = DraftMaterial {
             name: self.name.clone(),
             albedo,
-            texture: diffuse_map.map(|map| self.texture(draft, map, Part::Color)),
+            texture,
             cutout: self.opacity_map.as_ref().map(|map| self.texture(draft, map, Part::Opacity)),
             bsdf,
             emission: emission.unwrap_or(unlit),
@@ -65,6 +69,25 @@ impl MtlMaterial {
             origin: Origin::line(&self.file, self.line),
         };
         draft.add_material(material)
+    }
+
+    /// Names the statements that are not shown, a row of the list at a time.
+    fn name_omitted(&self, faults: &mut Faults) {
+        for (row, Omission { instead, changes_image, .. }) in OMITTED.iter().enumerate() {
+            let of_row = self.omitted.iter().filter(|(of, _)| *of == row);
+            let statements: Vec<&str> = of_row.map(|(_, statement)| statement.as_str()).collect();
+            if !statements.is_empty() {
+                let list = if *changes_image { &mut faults.changes } else { &mut faults.notes };
+                list.push(format!("has {}, {instead}", statements.join(", ")));
+            }
+        }
+    }
+
+    /// That it is left out, if another of its name came before.
+    pub fn as_second(&self) -> Option<Warning> {
+        let what =
+            format!("a second material `{}`, {}", self.name, OMITTED[omitted::SECOND].instead);
+        self.again.then(|| Origin::line(&self.file, self.line).note(what))
     }
 
     /// Whether a map gives its colour.

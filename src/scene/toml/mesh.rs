@@ -84,7 +84,7 @@ fn scale(value: &Value) -> Result<DVec3, SceneError> {
 }
 
 /// About X, then Y, then Z, in degrees.
-fn rotation(value: &Value) -> Result<DQuat, SceneError> {
+pub fn rotation(value: &Value) -> Result<DQuat, SceneError> {
     let [x, y, z] = value.vector()?.to_array().map(f64::to_radians);
     Ok(DQuat::from_euler(EulerRot::ZYX, z, y, x))
 }
