@@ -9,6 +9,7 @@ mod bare;
 mod builtin;
 mod camera;
 mod contents;
+mod coplanar;
 pub(crate) mod document;
 mod draft;
 pub mod environment;

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use glam::{DVec3, Vec2, Vec3};
 
+use super::coplanar::Shapes;
 use super::{
     Cone, DirectionalLight, Draft, DraftSphere, DraftSpot, Material, Origin, PointLight,
     SceneError, Sphere, Triangle, Units, Warning,
@@ -95,15 +96,24 @@ pub fn shapes(
         // Else its area would be lost in f32.
         .filter(|sphere| sphere.radius * sphere.radius >= f32::MIN_POSITIVE)
         .collect::<Vec<_>>();
-    if distinct.triangles.is_empty() && spheres.is_empty() {
+    if distinct.shapes.triangles.is_empty() && spheres.is_empty() {
         return Err(nothing());
     }
-    let dropped = triangles.len() - distinct.triangles.len();
+    let dropped = triangles.len() - distinct.shapes.triangles.len();
+    let mut warnings = distinct.warnings(origin, dropped);
+    let mut shapes = distinct.shapes;
+    let pairs = shapes.part(materials);
+    if pairs > 0 {
+        warnings.push(origin.note(format!(
+            "{pairs} pairs of triangles of different materials overlap in one plane; of two, that of \
+             the material with the smaller area there is shown"
+        )));
+    }
     Ok(Normalised {
-        warnings: distinct.warnings(origin, dropped),
-        triangles: distinct.triangles,
-        uvs: distinct.uvs,
-        colors: distinct.colors,
+        warnings,
+        triangles: shapes.triangles,
+        uvs: shapes.uvs,
+        colors: shapes.colors,
         spheres,
         units,
         dropped: dropped as u64,
@@ -131,9 +141,7 @@ fn keeps_area(triangle: &Triangle) -> bool {
 /// Triangles, each set of corners but once: two surfaces in one place have no order.
 #[derive(Debug, Default)]
 struct Distinct {
-    triangles: Vec<Triangle>,
-    uvs: Vec<[Vec2; 3]>,
-    colors: Vec<[Vec3; 3]>,
+    shapes: Shapes,
     seen: HashMap<[[u32; 3]; 3], usize>,
     duplicates: usize,
     lost_light: bool,
@@ -149,12 +157,12 @@ impl Distinct {
     ) {
         let mut key = triangle.vertices.map(|vertex| vertex.to_array().map(f32::to_bits));
         key.sort_unstable();
-        let index = *self.seen.entry(key).or_insert(self.triangles.len());
-        match self.triangles.get(index) {
+        let index = *self.seen.entry(key).or_insert(self.shapes.triangles.len());
+        match self.shapes.triangles.get(index) {
             None => {
-                self.triangles.push(triangle);
-                self.uvs.push(uvs);
-                self.colors.push(colors);
+                self.shapes.triangles.push(triangle);
+                self.shapes.uvs.push(uvs);
+                self.shapes.colors.push(colors);
             }
             Some(first) => {
                 self.duplicates += 1;

@@ -88,3 +88,25 @@ fn nearest_is_nearest() {
     );
     assert!(!filter.mipmaps);
 }
+
+#[test]
+fn decals_are_in_front_of_their_walls() {
+    for name in ["coplanar", "coplanar_rot"] {
+        let scene = case(&format!("coplanar/{name}/s.toml"));
+        warned(&scene, "2 pairs of triangles of different materials overlap in one plane", false);
+        let of = |name: &str| {
+            let index = scene.materials.iter().position(|material| material.name == name).unwrap();
+            scene.triangles.iter().filter(move |t| t.material as usize == index)
+        };
+        // On both sides of the wall.
+        assert_eq!((of("floor").count(), of("mark").count()), (2, 4), "{name}");
+    }
+    // A rug of another material on a tiled floor, and tiles that only touch.
+    let tiles = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 0 1\nv 1 0 1\nv 2 0 1\n";
+    let scene =
+        load_obj(&format!("{tiles}usemtl one\nf 1 2 5 4\nusemtl two\nf 2 3 6 5\n")).unwrap();
+    assert!(scene.warnings.iter().all(|w| !w.message.contains("overlap")), "{:?}", scene.warnings);
+    let rug = "v 0.25 0 0.25\nv 1.75 0 0.25\nv 1.75 0 0.75\nv 0.25 0 0.75\n";
+    let text = format!("{tiles}{rug}usemtl one\nf 1 2 5 4\nf 2 3 6 5\nusemtl two\nf 7 8 9 10\n");
+    warned(&load_obj(&text).unwrap(), "pairs of triangles of different materials overlap", false);
+}
