@@ -2,6 +2,7 @@
 
 mod canvas;
 mod error;
+pub mod exposure;
 pub mod exr;
 mod framebuffer;
 pub mod hdr;

@@ -5,6 +5,7 @@ mod mtl_glass;
 mod names;
 mod silence;
 mod strict;
+mod views;
 
 use gpu_vpl::scene::{Material, Scene};
 
