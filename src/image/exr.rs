@@ -1,6 +1,7 @@
 //! Linear 32-bit float OpenEXR with metadata, further layers beside the image's R, G, B; read
 //! as R, G, B of any sample type.
 
+mod failed;
 mod read;
 
 use std::io;
@@ -13,6 +14,7 @@ use exr::prelude::{
 
 use super::Image;
 use super::output::Sink;
+use failed::io_error;
 pub use read::read;
 
 /// The value of a metadata attribute.
@@ -67,13 +69,6 @@ pub fn write(out: &mut dyn Sink, planes: &[Plane<'_>], metadata: &Metadata) -> i
         _ => writer.to_buffered(out),
     };
     written.map_err(io_error)
-}
-
-fn io_error(error: exr::error::Error) -> io::Error {
-    match error {
-        exr::error::Error::Io(error) => error,
-        other => io::Error::other(other.to_string()),
-    }
 }
 
 fn channels_of<'a>(plane: &Plane<'a>) -> impl Iterator<Item = AnyChannel<FlatSamples>> + use<'a> {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use glam::{DVec3, Vec2, Vec3};
 
-use super::mesh::UNCOLORED;
+use super::shape::UNCOLORED;
 use super::{Bsdf, Environment, FovAxis, ImageFiles, SceneError, Texels, Texture, Warning};
 use crate::message::location;
 

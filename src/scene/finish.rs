@@ -3,7 +3,7 @@
 
 use glam::{DVec3, Vec2, Vec3};
 
-use super::mesh::UNCOLORED;
+use super::shape::UNCOLORED;
 use super::{
     Bsdf, Camera, Draft, DraftCamera, DraftMaterial, Material, Origin, Scene, SceneError, Triangle,
     Units, Warning, normalise,

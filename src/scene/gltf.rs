@@ -52,7 +52,8 @@ pub fn read(path: &Path) -> Result<(Mesh, View), SceneError> {
     }
     let mut warnings = surfaces.warnings();
     warnings.extend(source.notes.iter().map(|note| Warning::note(source.says(note))));
-    warnings.extend(extensions::warnings(&source));
+    let left_out = extensions::left_out(&source.document);
+    warnings.extend(left_out.iter().map(|what| Warning::changed(source.says(what))));
     let document = &source.document;
     if !document.animations.is_empty() {
         let what = "has animations, which are left out: it is shown at rest";

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use glam::{DAffine3, DMat4, DVec3, Vec2, Vec3};
 
+use super::shape::UNCOLORED;
 use super::{Draft, DraftMaterial, Origin, SceneError, Warning};
 
 /// Albedo of what has no material, or a material without colour.
@@ -24,9 +25,6 @@ pub struct Triangle {
     /// The slot of its material, if it has one.
     pub material: Option<usize>,
 }
-
-/// The colours of corners that have none.
-pub const UNCOLORED: [Vec3; 3] = [Vec3::ONE; 3];
 
 /// The affine map of a matrix whose last row is 0, 0, 0, 1, but for the rounding of programs that
 /// multiply and invert matrices.

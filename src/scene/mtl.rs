@@ -1,6 +1,7 @@
 //! Wavefront MTL, read line by line: what of it is not shown is reported with its line, which
 //! `tobj`'s reader does not keep.
 
+mod faults;
 mod kind;
 mod map;
 mod material;

@@ -13,9 +13,10 @@ use std::path::{Path, PathBuf};
 use encoding_rs::Encoding;
 use glam::{DAffine3, DVec3, Vec3};
 
-use super::mesh::{DEFAULT_ALBEDO, Library, Mesh, Triangle, UNCOLORED};
+use super::mesh::{DEFAULT_ALBEDO, Library, Mesh, Triangle};
 use super::mtl::{self, MtlMaterial};
 use super::names::{self, Found};
+use super::shape::UNCOLORED;
 use super::text::read_text;
 use super::{Draft, DraftMaterial, Origin, Scene, SceneError, Warning, bare, polygon};
 pub use omitted::OMITTED;

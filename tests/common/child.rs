@@ -13,9 +13,9 @@ impl Started {
         Self(command.spawn().expect("the program starts"))
     }
 
-    /// Sends it a signal, as SIGINT is what Ctrl-C in a terminal sends. The program `kill` is not everywhere, and crates
-    /// that send signals safely (rustix, nix) turn on features of crates that the library is built
-    /// with, so that it would be built twice.
+    /// Sends it a signal, as Ctrl-C in a terminal sends SIGINT. The program `kill` is not everywhere, and
+    /// crates that send signals safely (rustix, nix) turn on features of crates that the library is
+    /// built with, so that it would be built twice.
     #[cfg(unix)]
     pub fn send(&self, signal: i32) {
         let id = libc::pid_t::try_from(self.0.id()).expect("a number of a process");

@@ -8,7 +8,7 @@ use glam::DVec2;
 
 use super::super::primaries::{self, Primaries, REC_709};
 use super::super::{Image, Picture, limits};
-use super::io_error;
+use super::failed::io_error;
 
 /// The most samples of a file.
 const MOST_SAMPLES: u64 = 1 << 30;
@@ -148,9 +148,11 @@ fn layers(parts: &[Part]) -> Vec<Layer> {
                 channels.iter().position(|(of, letter)| of == layer && any.contains(&&**letter))
             };
             let red_green_blue = [["r", "red"], ["g", "green"], ["b", "blue"]].map(find);
-            let rgb = match (red_green_blue, find(["y", "y"]), find(["x", "x"])) {
-                ([Some(r), Some(g), Some(b)], ..) => [r, g, b],
-                (_, Some(grey), None) => [grey; 3],
+            // With X, or with chroma, Y is no grey.
+            let is_grey = find(["x", "ry"]).or(find(["z", "by"])).is_none();
+            let rgb = match (red_green_blue, find(["y", "y"])) {
+                ([Some(r), Some(g), Some(b)], _) => [r, g, b],
+                (_, Some(grey)) if is_grey => [grey; 3],
                 _ => continue,
             };
             let part_name = part.attributes.layer_name.as_ref().map(ToString::to_string);

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::source::Source;
-use crate::scene::{SceneError, Warning};
+use super::json::Document;
 
 /// What an extension is to us.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,40 +49,36 @@ const KNOWN: [(&str, Meaning); 27] = [
     ("EXT_mesh_gpu_instancing", Meaning::Needed("`gltf-transform uninstance IN OUT` unpacks it")),
 ];
 
-/// Refuses a file that cannot be shown without an extension.
-pub fn check(source: &Source) -> Result<(), SceneError> {
-    let refused = source.document.extensions_required.iter().find_map(|name| match of(name) {
+/// What is wrong with a file that cannot be shown without an extension.
+pub fn refused(document: &Document) -> Option<String> {
+    let refused = document.extensions_required.iter().find_map(|name| match of(name) {
         Some(Meaning::Needed(tool)) => Some((name, tool)),
         None if !is_of_materials(name) => Some((name, "export it without")),
         _ => None,
     });
-    match refused {
-        None => Ok(()),
-        Some((name, advice)) => Err(source
-            .fault(format!("requires the extension {name}, which is not supported; {advice}"))),
-    }
+    refused.map(|(name, advice)| {
+        format!("requires the extension {name}, which is not supported; {advice}")
+    })
 }
 
 /// What is said of the extensions that a file uses, and that nothing else warns of: materials and
 /// nodes do of theirs.
-pub fn warnings(source: &Source) -> Vec<Warning> {
-    let document = &source.document;
+pub fn left_out(document: &Document) -> Vec<String> {
     let used: BTreeSet<&String> =
         document.extensions_used.iter().chain(&document.extensions_required).collect();
     let on_nodes =
         |name: &str| document.nodes.iter().any(|node| node.extensions.others.contains_key(name));
     let told = |name: &&&String| !is_of_materials(name) && !on_nodes(name);
-    let what = |name: &&String| match of(name) {
-        Some(Meaning::Read | Meaning::Unseen) => None,
+    let what = |name: &String| match of(name) {
+        // Of what is needed, the file holds what is shown without it as well.
+        Some(Meaning::Read | Meaning::Unseen | Meaning::Needed(_)) => None,
         Some(Meaning::Otherwise(what)) => Some(what),
-        // The file holds what is shown without it as well.
-        Some(Meaning::Needed(_)) => None,
         None => Some("it is left out"),
     };
-    let warning = |name: &String, what: &str| {
-        Warning::changed(source.says(&format!("uses {name}, not supported; {what}")))
-    };
-    used.iter().filter(told).filter_map(|name| Some(warning(name, what(name)?))).collect()
+    used.iter()
+        .filter(told)
+        .filter_map(|name| Some(format!("uses {name}, not supported; {}", what(name)?)))
+        .collect()
 }
 
 fn of(name: &str) -> Option<Meaning> {

@@ -50,7 +50,9 @@ impl Source {
         let (buffers, of_buffers) = (Vec::new(), Vec::new());
         let mut source = Self { path: path.to_owned(), document, buffers, notes: of_buffers };
         source.check_version()?;
-        extensions::check(&source)?;
+        if let Some(what) = extensions::refused(&source.document) {
+            return Err(source.fault(what));
+        }
         for (index, buffer) in source.document.buffers.iter().enumerate() {
             // Only the first buffer may be the GLB's own.
             let bytes = source.buffer(index, buffer, binary.take(), &mut notes)?;

@@ -15,8 +15,8 @@
 
 use glam::DVec3;
 
+use super::faults::Faults;
 use super::material::MtlMaterial;
-use super::surface::Faults;
 
 /// Exponent from which on a highlight is a mirror's.
 const MIRROR_SHININESS: f64 = 1000.0;

@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 
+use super::faults::Faults;
 use super::kind::{Kind, is_partial};
 use super::map::Map;
 use super::material::MtlMaterial;
@@ -19,13 +20,6 @@ const MOST_SHININESS: f64 = 1e6;
 
 /// Index of refraction of what gives none, or none that can be.
 const DEFAULT_REFRACTION: f64 = 1.5;
-
-/// What a reading of a material found fault with.
-#[derive(Debug, Default)]
-pub struct Faults {
-    pub changes: Vec<String>,
-    pub notes: Vec<String>,
-}
 
 impl MtlMaterial {
     /// Adds the material and its textures, with one warning about what of it is not shown.

@@ -46,9 +46,7 @@ pub fn of(bytes: &[u8]) -> impl Iterator<Item = Omission> {
 fn is_animated(bytes: &[u8]) -> bool {
     if bytes.starts_with(b"GIF8") {
         // The blocks that come before each frame of an animation.
-        let controls = bytes
-            .windows(4)
-            .filter(|window| *window == [0x21, 0xf9, 4, 4] || window[..3] == [0x21, 0xf9, 4]);
+        let controls = bytes.windows(3).filter(|window| *window == [0x21, 0xf9, 4]);
         return controls.take(2).count() > 1;
     }
     if bytes.starts_with(b"RIFF") {

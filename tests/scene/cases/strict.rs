@@ -153,6 +153,10 @@ fn obj_of_loose_writers_is_read() {
         (f64::from(comma.triangles[0].area()) * comma.units.scale.powi(2) - 1.125).abs() < 1e-6
     );
     warned(&comma, "mesh.obj:1: 5 numbers have a comma", false);
+    let obj = format!("mtllib m.mtl\n{square}usemtl m\nf 1 2 3\n");
+    let mtl = "newmtl m\nKd 0,25 0,5 0,75\n";
+    let scene = super::super::load(&[("m.obj", &obj), ("m.mtl", mtl)]).unwrap();
+    assert_eq!(scene.materials[0].albedo, Vec3::new(0.25, 0.5, 0.75));
     assert!(load_obj(&format!("{square}f 1.0 2.0 3.0\nfo 1 3 4\n")).unwrap().triangles.len() == 2);
     refused(load_obj(&format!("{square}f 1.5 2 3\n")), "mesh.obj:5", "does not begin");
     let toml = format!("{CAMERA}[[mesh]]\nfile = \"mesh.obj\"\nscale = 2.0\n");
