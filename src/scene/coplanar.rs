@@ -6,12 +6,15 @@
 //! they stay. Only a sheet that ends in the plane, as no face of a body does, is put in front of what
 //! looks the other way.
 
+mod overlap;
+
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use glam::{DVec2, DVec3, Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use super::{Material, Triangle};
 use crate::sampling::SURFACE_OFFSET;
+use overlap::overlap;
 
 /// Planes nearer than this are one: rays start as far from a surface.
 const NEAR: f64 = SURFACE_OFFSET as f64;
@@ -21,9 +24,6 @@ const LIFT: f32 = 4.0 * SURFACE_OFFSET;
 
 /// Layers beyond are put in the place of the last.
 const MOST_LAYERS: usize = 8;
-
-/// The part of the smaller of two triangles below which they only touch.
-const TOUCHING: f64 = 1e-4;
 
 /// Pairs that are looked at: no file may make us look for hours.
 const MOST_LOOKS: usize = 20_000_000;
@@ -137,7 +137,11 @@ impl Shapes {
                 let apart = other_low.cmpgt(high).any() || low.cmpgt(other_high).any();
                 let (a, b) = (&self.triangles[one], &self.triangles[two]);
                 let together = || planes[one].holds(b) && planes[two].holds(a);
-                if a.material != b.material && !apart && together() && overlap(a, b, &planes[one]) {
+                if a.material != b.material
+                    && !apart
+                    && together()
+                    && overlap(a, b, planes[one].normal)
+                {
                     pairs.insert((one.min(two), one.max(two)));
                 }
             }
@@ -242,120 +246,5 @@ fn extent(triangle: &Triangle) -> [Vec3; 2] {
     [a.min(b).min(c) - SURFACE_OFFSET, a.max(b).max(c) + SURFACE_OFFSET]
 }
 
-/// Whether two triangles of a plane have more than a border in common: what one leaves of the other
-/// (Sutherland and Hodgman, "Reentrant Polygon Clipping", CACM 1974) has an area.
-fn overlap(one: &Triangle, two: &Triangle, plane: &Plane) -> bool {
-    let (x, y) = plane.normal.any_orthonormal_pair();
-    let flat = |triangle: &Triangle| {
-        triangle.vertices.map(|v| DVec2::new(x.dot(v.as_dvec3()), y.dot(v.as_dvec3())))
-    };
-    let (mut polygon, mut window) = (flat(one).to_vec(), flat(two));
-    if area(&window) < 0.0 {
-        window.swap(1, 2);
-    }
-    let least = TOUCHING * area(&polygon).abs().min(area(&window));
-    for edge in 0..3 {
-        let (from, to) = (window[edge], window[(edge + 1) % 3]);
-        let inside = |point: DVec2| (to - from).perp_dot(point - from);
-        let mut left = Vec::with_capacity(polygon.len() + 1);
-        for (at, &point) in polygon.iter().enumerate() {
-            let next = polygon[(at + 1) % polygon.len()];
-            let (here, there) = (inside(point), inside(next));
-            if here >= 0.0 {
-                left.push(point);
-            }
-            if (here < 0.0) != (there < 0.0) {
-                left.push(point + (next - point) * (here / (here - there)));
-            }
-        }
-        polygon = left;
-    }
-    area(&polygon).abs() > least
-}
-
-/// The area of a polygon, negative if it goes around clockwise.
-fn area(polygon: &[DVec2]) -> f64 {
-    let next = |at: usize| polygon[(at + 1) % polygon.len()];
-    0.5 * polygon.iter().enumerate().map(|(at, point)| point.perp_dot(next(at))).sum::<f64>()
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn triangle(corners: [[f32; 3]; 3], material: u32) -> Triangle {
-        Triangle { vertices: corners.map(Vec3::from_array), material }
-    }
-
-    fn parted(triangles: Vec<Triangle>) -> (usize, Vec<Triangle>) {
-        let count = triangles.len();
-        let (uvs, colors) = (vec![[Vec2::ZERO; 3]; count], vec![[Vec3::ONE; 3]; count]);
-        let mut shapes = Shapes { triangles, uvs, colors };
-        let pairs = shapes.part(&[Material::default(), Material::default()]);
-        assert_eq!(
-            (shapes.uvs.len(), shapes.colors.len()),
-            (shapes.triangles.len(), shapes.triangles.len())
-        );
-        (pairs, shapes.triangles)
-    }
-
-    const WALL: [[f32; 3]; 3] = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
-    const SMALL: [[f32; 3]; 3] = [[-0.2, -0.2, 0.0], [0.2, -0.2, 0.0], [0.0, 0.2, 0.0]];
-
-    #[test]
-    fn the_smaller_of_two_is_put_in_front_on_both_sides() {
-        for (order, turned) in [([0, 1], false), ([1, 0], false), ([0, 1], true)] {
-            let mut small = SMALL;
-            if turned {
-                small.swap(1, 2);
-            }
-            let all = [triangle(WALL, 0), triangle(small, 1)];
-            let (pairs, parted) = parted(order.map(|i| all[i]).to_vec());
-            assert_eq!((pairs, parted.len()), (1, 3));
-            let mut heights: Vec<f32> =
-                parted.iter().filter(|t| t.material == 1).map(|t| t.vertices[0].z).collect();
-            heights.sort_by(f32::total_cmp);
-            assert_eq!(heights, [-LIFT, LIFT]);
-            assert!(parted.iter().any(|t| *t == all[0]));
-        }
-    }
-
-    #[test]
-    fn neighbours_and_other_planes_are_left_alone() {
-        let beside = [[1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
-        let above = SMALL.map(|[x, y, _]| [x, y, 1e-4]);
-        let tilted = SMALL.map(|[x, y, _]| [x, y, 0.01 * x]);
-        for other in [beside, above, tilted] {
-            assert_eq!(parted(vec![triangle(WALL, 0), triangle(other, 1)]).0, 0, "{other:?}");
-        }
-        assert_eq!(parted(vec![triangle(WALL, 0), triangle(SMALL, 0)]).0, 0);
-    }
-
-    #[test]
-    fn bodies_that_stand_on_a_floor_are_left_alone() {
-        // A pyramid whose base looks at the wall, and the base alone.
-        let top = [0.0, 0.0, 0.3];
-        let [a, b, c] = SMALL;
-        let base = triangle([a, c, b], 1);
-        let sides = [[a, b, top], [b, c, top], [c, a, top]].map(|side| triangle(side, 1));
-        let wall = triangle(WALL, 0);
-        assert_eq!(parted([&[wall, base][..], &sides].concat()).0, 0);
-        assert_eq!(parted(vec![wall, base]).0, 1);
-    }
-
-    #[test]
-    fn rounding_does_not_part_a_plane() {
-        let turn = glam::Quat::from_euler(glam::EulerRot::XYZ, 0.3, 0.7, 1.1);
-        for step in 0..50 {
-            let shift = Vec3::new(0.01, 0.013, 0.0173) * step as f32;
-            let turned = |corners: [[f32; 3]; 3], material| Triangle {
-                vertices: corners.map(|corner| {
-                    let exact = turn * Vec3::from_array(corner) + shift;
-                    (exact * 1e6).round() / 1e6
-                }),
-                material,
-            };
-            assert_eq!(parted(vec![turned(WALL, 0), turned(SMALL, 1)]).0, 1, "{step}");
-        }
-    }
-}
+mod tests;
