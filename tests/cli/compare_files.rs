@@ -1,7 +1,5 @@
 //! Which image of a file `compare` reads: layers, data windows, alpha, other formats.
 
-#![expect(clippy::expect_used, reason = "a helper of tests fails by panicking")]
-
 use std::fs::File;
 use std::io::BufWriter;
 

@@ -18,7 +18,7 @@ fn comments_end_with_their_line() {
         format!("# made in C:\\work\\\n{corners}f 1 2 3\n"),
         format!("{corners}o props\\chair\\\nf 1 2 3\n"),
         format!("{corners}g C:\\\nf 1 2 3\n"),
-        format!("v 0 0 0 # the first \\\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        "v 0 0 0 # the first \\\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_owned(),
         format!("{corners}f 1 2 \\\n3\n"),
         format!("{corners}g a \\\nb\nf 1 2 3\n"),
     ] {
