@@ -6,6 +6,8 @@ mod console;
 mod info;
 mod parse;
 mod render;
+#[cfg(unix)]
+mod signals;
 mod study;
 
 use std::ffi::{OsStr, OsString};
@@ -49,6 +51,8 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>, started: Instant) -> 
 
 fn run(arguments: Vec<OsString>, started: Instant) -> u8 {
     let command = arguments.get(1).cloned();
+    #[cfg(unix)]
+    signals::listen(command.as_deref());
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(refusal) => return refuse(&refusal, command.as_deref()),

@@ -58,6 +58,8 @@ pub struct Report {
     pub clamped_fraction: f64,
     /// Whether that share of the indirect light was given back; false where nothing is bounded.
     pub compensated: bool,
+    /// At which 8-bit images show light, in EV.
+    pub exposure: f32,
     /// The share of the flux that light paths still carry when `bounces` ends them; null where it
     /// does not.
     pub truncated_fraction: Option<f64>,
@@ -253,6 +255,7 @@ impl Report {
             clamp: counts.clamp,
             clamped_fraction: counts.clamped_fraction,
             compensated: counts.clamp.is_some() && settings.compensates(),
+            exposure: prepared.scene.exposure,
             truncated_fraction: counts.truncated_fraction,
             standard_error: first.standard_error.as_ref().map(root_mean_square),
             denoiser: None,

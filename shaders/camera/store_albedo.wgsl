@@ -7,5 +7,5 @@ fn store_albedo(index: u32, hit: Hit, point: Point, direction: vec3f, width: f32
     if point.surface == NOTHING { return; }
     let material = point.surface & ~FRONT;
     let texture = textured(material_textures[material].x, hit, point, direction, width);
-    albedos[index] = vec4f(materials[material].albedo * texture, 0.0);
+    albedos[index] = vec4f(materials[material].albedo * texture * vertex_color(hit), 0.0);
 }

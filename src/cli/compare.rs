@@ -2,6 +2,7 @@
 
 mod limits;
 mod map;
+mod pictures;
 mod table;
 
 use std::fs;
@@ -12,7 +13,7 @@ use clap::Args;
 use super::{console, parse};
 use crate::error::{Error, ImageError, OutputError};
 use crate::image::output::commit;
-use crate::image::{Destination, Format, Image, read};
+use crate::image::{Destination, Format, Image, Picture, read_picture};
 use crate::metrics::{Comparison, away_from_bright};
 use limits::Limits;
 use map::{ErrorMap, MapKind};
@@ -20,11 +21,16 @@ use map::{ErrorMap, MapKind};
 /// The options of `compare`.
 #[derive(Debug, Args)]
 pub struct CompareArgs {
-    /// What the image should be, .png or .exr; a PNG is linearised
+    /// What the image should be: EXR, HDR, or PNG, TIFF, JPEG and others, which are linearised
     reference: PathBuf,
 
-    /// The image to judge, .png or .exr
+    /// The image to judge
     image: PathBuf,
+
+    /// Layer of EXR files to compare [default: R, G and B without a name, else Combined, else the
+    /// only one]
+    #[arg(long, value_name = "NAME")]
+    layer: Option<String>,
 
     /// Print JSON
     #[arg(long)]
@@ -70,8 +76,12 @@ pub struct CompareArgs {
 /// exceeded.
 pub fn run(args: &CompareArgs) -> Result<(), Error> {
     let outputs = args.check_outputs()?;
-    let reference = read(&args.reference)?;
-    let image = read_alike(&args.image, &reference, &args.reference)?;
+    let layer = args.layer.as_deref();
+    let of_reference = read_picture(&args.reference, layer)?;
+    let of_image = read_alike(&args.image, &of_reference.image, &args.reference, layer)?;
+    pictures::tell([(&of_reference, &args.reference), (&of_image, &args.image)]);
+    let layers = [of_reference.layer, of_image.layer];
+    let [reference, image] = [of_reference.image, of_image.image];
     let keep = args.mask(&reference)?;
     let comparison = Comparison::of(&reference, &image, &keep, args.exposure).ok_or_else(|| {
         let file = args.mask_from.as_ref().unwrap_or(&args.reference).display();
@@ -86,7 +96,7 @@ pub fn run(args: &CompareArgs) -> Result<(), Error> {
             staged.push(destination.stage(|out| map.write(out, *format))?);
         }
     }
-    let text = table::text(&comparison, map.map(|map| map.scale), args.json);
+    let text = table::text(&comparison, &layers, map.map(|map| map.scale), args.json);
     console::print(&text).map_err(|error| OutputError::Write {
         file: "standard output".into(),
         why: error.to_string(),
@@ -134,7 +144,9 @@ impl CompareArgs {
         match &self.mask_from {
             None => Ok(away_from_bright(reference, level)),
             Some(file) => {
-                Ok(away_from_bright(&read_alike(file, reference, &self.reference)?, level))
+                let layer = self.layer.as_deref();
+                let picture = read_alike(file, reference, &self.reference, layer)?;
+                Ok(away_from_bright(&picture.image, level))
             }
         }
     }
@@ -146,10 +158,16 @@ impl CompareArgs {
 }
 
 /// Reads an image that must have the size of another.
-fn read_alike(file: &Path, other: &Image, other_file: &Path) -> Result<Image, ImageError> {
-    let image = read(file)?;
+fn read_alike(
+    file: &Path,
+    other: &Image,
+    other_file: &Path,
+    layer: Option<&str>,
+) -> Result<Picture, ImageError> {
+    let picture = read_picture(file, layer)?;
+    let image = &picture.image;
     if [image.width, image.height] == [other.width, other.height] {
-        return Ok(image);
+        return Ok(picture);
     }
     let what = format!(
         "it is {} x {} pixels, but {} is {} x {}; compare images of one size",

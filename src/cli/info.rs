@@ -1,6 +1,7 @@
 //! `info`: the adapters and built-in scenes there are, and what a scene holds.
 
 mod adapters;
+mod formats;
 mod lights;
 mod listing;
 mod materials;
@@ -29,6 +30,10 @@ pub struct InfoArgs {
     #[arg(long)]
     json: bool,
 
+    /// List what the formats of scenes and images have and is not shown
+    #[arg(long, conflicts_with_all = ["scene", "adapter"])]
+    formats: bool,
+
     /// Part of an adapter's name or driver, its index, or cpu; as `render` takes it
     #[arg(long, value_name = "NAME|INDEX")]
     adapter: Option<String>,
@@ -40,6 +45,9 @@ pub struct InfoArgs {
 /// # Errors
 /// The scene cannot be read, or the adapter asked for is not there.
 pub fn run(args: &InfoArgs) -> Result<(), Error> {
+    if args.formats {
+        return print(&formats::text(args.json));
+    }
     let scene = args.scene.as_deref().map(Scene::load).transpose()?;
     let choice = adapter_choice(args.adapter.as_deref());
     let opened = Gpu::open(&choice);
@@ -66,7 +74,11 @@ pub fn run(args: &InfoArgs) -> Result<(), Error> {
     } else {
         in_words(&info)
     };
-    console::print(&text).map_err(|error| {
+    print(&text)
+}
+
+fn print(text: &str) -> Result<(), Error> {
+    console::print(text).map_err(|error| {
         OutputError::Write { file: "standard output".into(), why: error.to_string() }.into()
     })
 }

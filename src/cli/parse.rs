@@ -74,6 +74,23 @@ pub fn exposure(text: &str) -> Result<f32, String> {
     value.ok_or_else(|| "give a number of stops".to_owned())
 }
 
+/// An exposure in stops, or that it is to fit the image.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Exposure {
+    /// In stops.
+    Stops(f32),
+    /// So that nearly all of the image is seen.
+    Auto,
+}
+
+/// A number of stops, or `auto`.
+pub fn exposure_or_auto(text: &str) -> Result<Exposure, String> {
+    match text {
+        "auto" => Ok(Exposure::Auto),
+        _ => exposure(text).map(Exposure::Stops).map_err(|what| what + ", or auto"),
+    }
+}
+
 /// A finite number, as a level of radiance is.
 pub fn number(text: &str) -> Result<f64, String> {
     let value = text.parse::<f64>().ok().filter(|value| value.is_finite());

@@ -16,15 +16,16 @@ use warnings::Warnings;
 
 use super::adapter::adapter_choice;
 use super::console;
+use super::parse::Exposure;
 use crate::denoise::Denoiser;
 use crate::error::{Error, OutputError};
 use crate::gpu::{Gpu, GpuError};
-use crate::image::Image;
 use crate::image::output::{Staged, commit};
-use crate::render::{Frame, Prepared};
+use crate::image::{Image, exposure};
+use crate::render::{Frame, Method, Prepared};
 use crate::report::warnings::caustics;
 use crate::report::{Report, RunPhases, Seconds};
-use crate::scene::Scene;
+use crate::scene::{Scene, Warning};
 
 /// Renders as the arguments ask for. What can be refused early is: usage first, then outputs,
 /// the scene, the adapter.
@@ -48,12 +49,22 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     for warning in std::mem::take(&mut scene.warnings).into_iter().chain(caustic) {
         warnings.add(warning)?;
     }
-    let exposure = args.exposure.unwrap_or(scene.exposure);
+    let of_scene = scene.exposure;
 
     let job = Job { denoiser, ..prepare(args, scene, &mut phases)? };
     let (frame, frames) = job.repeated(args.repeat)?;
     let aovs = job.aovs(&aovs, &frame)?;
     warnings.check(&frame, &job.settings)?;
+    let exposure = match args.exposure {
+        None => of_scene,
+        Some(Exposure::Stops(stops)) => stops,
+        Some(Exposure::Auto) => exposure::fitting(&frame.image).unwrap_or(of_scene),
+    };
+    let method = job.settings.method;
+    if method.is_indirect() || matches!(method, Method::Path | Method::Direct) {
+        let message = warnings::look(&frame.image, exposure, outputs.has_png());
+        message.into_iter().try_for_each(|message| warnings.add(Warning::note(message)))?;
+    }
     let write = || stage_images(&outputs, &job, &frame, &aovs, exposure, started);
     let mut staged = timed(&mut phases.write, write)?;
 
@@ -69,6 +80,7 @@ pub fn run(args: &RenderArgs, started: Instant) -> Result<(), Error> {
     report.phases = phases;
     report.frames = frames;
     report.warnings = warnings.messages;
+    report.exposure = exposure;
     report.denoiser = job.denoiser.map(|denoiser| denoiser.version().to_owned());
     staged.extend(stage_report(&outputs, &report)?);
     commit(staged)?;

@@ -39,12 +39,12 @@ pub struct AdapterDescription {
 
 /// All adapters of this machine, in the order in which [`AdapterChoice::Auto`] tries them.
 pub fn adapters() -> Vec<AdapterDescription> {
-    enumerate().iter().map(describe_fully).collect()
+    enumerate().unwrap_or_default().iter().map(describe_fully).collect()
 }
 
 /// The adapter that a choice means.
 pub(super) fn choose(choice: &AdapterChoice) -> Result<wgpu::Adapter, GpuError> {
-    let mut found = enumerate();
+    let mut found = enumerate()?;
     if found.is_empty() {
         return Err(GpuError::NoAdapter);
     }
@@ -102,14 +102,42 @@ fn find(adapters: &[AdapterInfo], wanted: &str) -> Option<usize> {
     })
 }
 
+/// The variable that names backends, as for other programs of wgpu.
+const BACKENDS: &str = "WGPU_BACKEND";
+
+/// The backends that a comma-separated list asks for: of those this program has, and all of them where it
+/// names none.
+fn backends(list: &str) -> Result<wgpu::Backends, GpuError> {
+    let mut backends = wgpu::Backends::empty();
+    let names = || list.split(',').map(str::trim).filter(|name| !name.is_empty());
+    for name in names() {
+        backends |= match name.to_ascii_lowercase().as_str() {
+            "vulkan" | "vk" => wgpu::Backends::VULKAN,
+            "metal" | "mtl" => wgpu::Backends::METAL,
+            "dx12" | "d3d12" => wgpu::Backends::DX12,
+            "primary" => wgpu::Backends::PRIMARY,
+            // Others may be met by what else the list has.
+            "gl" | "gles" | "opengl" | "webgpu" | "dx11" | "d3d11" => continue,
+            _ => return Err(GpuError::NoSuchBackend(list.to_owned())),
+        };
+    }
+    match names().next() {
+        None => Ok(wgpu::Backends::PRIMARY),
+        Some(_) if backends.is_empty() => Err(GpuError::NoSuchBackend(list.to_owned())),
+        Some(_) => Ok(backends),
+    }
+}
+
 /// All adapters, best first; the order among equals is the driver's.
-fn enumerate() -> Vec<wgpu::Adapter> {
+fn enumerate() -> Result<Vec<wgpu::Adapter>, GpuError> {
+    let list = std::env::var(BACKENDS).unwrap_or_default();
+    let wanted = backends(&list)?;
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     // The driver's validation layers are a debugging aid that changes timings.
     descriptor.flags = wgpu::InstanceFlags::empty();
-    descriptor.backends = wgpu::Backends::PRIMARY;
+    descriptor.backends = wanted;
     let instance = wgpu::Instance::new(descriptor);
-    let mut found = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
+    let mut found = pollster::block_on(instance.enumerate_adapters(wanted));
     found.sort_by_key(|adapter| match adapter.get_info().device_type {
         wgpu::DeviceType::DiscreteGpu => 0,
         wgpu::DeviceType::IntegratedGpu => 1,
@@ -117,7 +145,10 @@ fn enumerate() -> Vec<wgpu::Adapter> {
         wgpu::DeviceType::Other => 3,
         wgpu::DeviceType::Cpu => 4,
     });
-    found
+    if found.is_empty() && !list.trim().is_empty() {
+        return Err(GpuError::NoSuchBackend(list));
+    }
+    Ok(found)
 }
 
 fn describe_fully(adapter: &wgpu::Adapter) -> AdapterDescription {
@@ -156,6 +187,17 @@ mod tests {
             backend: "vulkan".into(),
             driver: driver.into(),
             device_type: device_type.into(),
+        }
+    }
+
+    #[test]
+    fn backends_are_those_asked_for() {
+        let of = |list: &str| backends(list).ok();
+        assert_eq!(of(""), Some(wgpu::Backends::PRIMARY));
+        assert_eq!(of("Vulkan"), Some(wgpu::Backends::VULKAN));
+        assert_eq!(of("gl, vk"), Some(wgpu::Backends::VULKAN));
+        for list in ["gl", "voodoo", "vulkan,voodoo"] {
+            assert_eq!(of(list), None, "{list}");
         }
     }
 

@@ -17,6 +17,12 @@ pub enum GpuError {
         /// The adapters there are.
         found: String,
     },
+    /// None of the backends that the environment asks for.
+    #[error(
+        "WGPU_BACKEND={0} leaves no adapter: there are the backends vulkan, metal and dx12, as far as \
+         the system has them; unset it, or name one of these"
+    )]
+    NoSuchBackend(String),
     /// The adapter is there but gives no device.
     #[error("cannot open adapter {name}: {why}")]
     CannotOpen {
@@ -89,7 +95,13 @@ pub enum GpuError {
 impl GpuError {
     /// Whether there was no adapter to use, as against one that failed.
     pub fn is_missing_adapter(&self) -> bool {
-        matches!(self, Self::NoAdapter | Self::NoSuchAdapter { .. } | Self::CannotOpen { .. })
+        matches!(
+            self,
+            Self::NoAdapter
+                | Self::NoSuchAdapter { .. }
+                | Self::NoSuchBackend(_)
+                | Self::CannotOpen { .. }
+        )
     }
 
     /// Our error for one of wgpu's.

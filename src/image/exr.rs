@@ -1,18 +1,21 @@
 //! Linear 32-bit float OpenEXR with metadata, further layers beside the image's R, G, B; read
 //! as R, G, B of any sample type.
 
-use std::io::{self, Cursor};
+mod failed;
+mod read;
 
-use exr::meta::attribute::{AttributeValue, ChannelDescription};
-use exr::meta::header::Header;
+use std::io;
+
+use exr::meta::attribute::AttributeValue;
 use exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Layer, LayerAttributes,
-    LineOrder, ReadChannels, ReadLayers, ReadSpecificChannel, Text, Vec2, WritableImage,
-    read as reader,
+    LineOrder, Text, Vec2, WritableImage,
 };
 
+use super::Image;
 use super::output::Sink;
-use super::{Image, limits};
+use failed::io_error;
+pub use read::read;
 
 /// The value of a metadata attribute.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,78 +71,6 @@ pub fn write(out: &mut dyn Sink, planes: &[Plane<'_>], metadata: &Metadata) -> i
     written.map_err(io_error)
 }
 
-/// Reads the channels `R`, `G`, `B`, or those of the first layer that has them, without alpha
-/// and other layers. The image is what the file calls its data window.
-///
-/// # Errors
-/// The file is damaged, incomplete or too large, or has no such channels, or only subsampled.
-pub fn read(file: &[u8]) -> io::Result<Image> {
-    let chunks = exr::block::read(Cursor::new(file), false).map_err(io_error)?;
-    let (header, layer) = rgb_layer(chunks.headers())
-        .ok_or_else(|| io::Error::other("it has no channels R, G and B"))?;
-    if header.channels.list.iter().any(|channel| channel.sampling != Vec2(1, 1)) {
-        return Err(io::Error::other("subsampled channels are not supported"));
-    }
-    let size = header.layer_size;
-    let area = limits::area(size.0 as u64, size.1 as u64)?;
-    let [red, green, blue] = ["R", "G", "B"].map(|letter| text(&format!("{layer}{letter}")));
-    let image = reader()
-        .no_deep_data()
-        .largest_resolution_level()
-        .specific_channels()
-        .required::<f32>(red)
-        .required::<f32>(green)
-        .required::<f32>(blue)
-        .collect_pixels(
-            move |_, _| (0, vec![[0.0; 3]; area]),
-            move |(count, pixels), at, (r, g, b): (f32, f32, f32)| {
-                if let Some(pixel) = pixels.get_mut(at.1 * size.0 + at.0) {
-                    *pixel = [r, g, b];
-                    *count += 1;
-                }
-            },
-        )
-        .first_valid_layer()
-        .all_attributes()
-        .non_parallel()
-        .from_chunks(chunks)
-        .map_err(io_error)?;
-    let (count, pixels) = image.layer_data.channel_data.pixels;
-    if count != area {
-        return Err(io::Error::other("some of its pixels are missing"));
-    }
-    Ok(Image { width: size.0 as u32, height: size.1 as u32, pixels })
-}
-
-/// The part of a file that holds R, G and B, and what stands before these letters in the names
-/// of its channels: nothing wherever possible.
-fn rgb_layer(headers: &[Header]) -> Option<(&Header, String)> {
-    let layers = headers.iter().flat_map(|header| {
-        let red = |channel: &ChannelDescription| {
-            let name = channel.name.to_string();
-            name.strip_suffix('R')
-                .filter(|layer| layer.is_empty() || layer.ends_with('.'))
-                .map(str::to_owned)
-        };
-        header.channels.list.iter().filter_map(red).map(move |layer| (header, layer))
-    });
-    let complete = |(header, layer): &(&Header, String)| {
-        ["G", "B"].iter().all(|letter| {
-            let name = text(&format!("{layer}{letter}"));
-            header.channels.list.iter().any(|channel| channel.name == name)
-        })
-    };
-    // Of several equals the first.
-    layers.filter(complete).min_by_key(|(_, layer)| !layer.is_empty())
-}
-
-fn io_error(error: exr::error::Error) -> io::Error {
-    match error {
-        exr::error::Error::Io(error) => error,
-        other => io::Error::other(other.to_string()),
-    }
-}
-
 fn channels_of<'a>(plane: &Plane<'a>) -> impl Iterator<Item = AnyChannel<FlatSamples>> + use<'a> {
     let Plane { layer, channels, image } = *plane;
     channels.chars().take(3).enumerate().map(move |(component, letter)| {
@@ -175,7 +106,14 @@ fn text(string: &str) -> Text {
 mod tests {
     use exr::prelude::{FlatImage, ReadChannels, ReadLayers, read as reader};
 
+    use std::io::Cursor;
+
     use super::*;
+
+    /// The image of a file.
+    fn read(file: &[u8]) -> io::Result<Image> {
+        super::read(file, None).map(|picture| picture.image)
+    }
 
     fn ramp(offset: f32) -> Image {
         let pixels = (0..40).map(|i| [i as f32 * 1e-3, offset, -1e9 * i as f32]).collect();

@@ -1,13 +1,15 @@
 //! Files written whole or not at all: checked before the work, staged under a temporary name
 //! in the same directory, renamed once everything of a run is staged.
 
+mod temporary;
+
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Cursor, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
-
 use super::OutputError;
+pub use temporary::discard_all;
+use temporary::{Temporary, persist_all};
 
 /// What an encoder writes to.
 pub trait Sink: Write + Seek {}
@@ -50,7 +52,7 @@ impl Destination {
         let kind = if name == Path::new("-") { Kind::Stdout } else { kind_of(name)? };
         if let Kind::File(path) = &kind {
             // Made and removed at once: whether a file can be made here is asked of the system.
-            temporary_beside(path).map_err(|error| cannot_write(name, &error))?;
+            Temporary::beside(path).map_err(|error| cannot_write(name, &error))?;
         }
         Ok(Self { name: name.to_owned(), kind })
     }
@@ -116,7 +118,7 @@ pub struct Staged {
 #[derive(Debug)]
 enum Content {
     Memory(Vec<u8>),
-    File(NamedTempFile, PathBuf),
+    File(Temporary, PathBuf),
 }
 
 /// Moves all outputs of a run to their places: first what goes to devices and standard output,
@@ -130,21 +132,15 @@ pub fn commit(staged: Vec<Staged>) -> Result<(), OutputError> {
         match content {
             Content::Memory(bytes) => write_directly(&destination, &bytes)
                 .map_err(|error| cannot_write(&destination.name, &error))?,
-            Content::File(file, path) => files.push((destination, file, path)),
+            Content::File(file, path) => files.push((destination, Some(file), path)),
         }
     }
-    let mut done: Vec<PathBuf> = Vec::new();
-    for (destination, file, path) in files {
-        if let Err(error) = file.persist(&path) {
-            for path in done {
-                // Nothing more can be done about a file that cannot be removed either.
-                let _ = fs::remove_file(path);
-            }
-            return Err(cannot_write(&destination.name, &error.error));
-        }
-        done.push(path);
-    }
-    Ok(())
+    let (destinations, moves): (Vec<_>, Vec<_>) = files
+        .iter_mut()
+        .map(|(destination, file, path)| (destination, (file.take(), &**path)))
+        .unzip();
+    let moves = moves.into_iter().filter_map(|(file, path)| Some((file?, path))).collect();
+    persist_all(moves).map_err(|(index, error)| cannot_write(&destinations[index].name, &error))
 }
 
 fn kind_of(name: &Path) -> Result<Kind, OutputError> {
@@ -188,23 +184,12 @@ fn in_file(
     path: &Path,
     encode: impl FnOnce(&mut dyn Sink) -> io::Result<()>,
 ) -> io::Result<Content> {
-    let mut file = temporary_beside(path)?;
-    let mut buffered = BufWriter::new(file.as_file_mut());
+    let mut file = Temporary::beside(path)?;
+    let mut buffered = BufWriter::new(file.file()?);
     encode(&mut buffered)?;
     buffered.flush()?;
     drop(buffered);
     Ok(Content::File(file, path.to_owned()))
-}
-
-fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
-    let directory = path.parent().unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".gpu-vpl-").suffix(".tmp");
-    // As any program creates a file, so that the umask decides; tempfile's default is private.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    // The kind alone: the temporary name that tempfile adds says nothing to the user.
-    builder.tempfile_in(directory).map_err(|error| io::Error::from(error.kind()))
 }
 
 fn write_directly(destination: &Destination, bytes: &[u8]) -> io::Result<()> {

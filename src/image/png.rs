@@ -1,13 +1,13 @@
-//! PNG: written with 8 bits a channel, read with any.
+//! PNG: written with 8 bits a channel.
 
-use std::io::{self, Cursor};
+use std::io;
 
-use image::codecs::png::{CompressionType, FilterType, PngDecoder, PngEncoder};
-use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder, ImageError};
 
+use super::Image;
 use super::output::Sink;
-use super::tone::{Tone, linear, to_rgb8};
-use super::{Image, limits};
+use super::tone::{Tone, to_rgb8};
 
 /// Writes an image as 8-bit RGB.
 ///
@@ -27,22 +27,6 @@ pub fn write_rgb8(out: &mut dyn Sink, [width, height]: [u32; 2], bytes: &[u8]) -
         .map_err(io_error)
 }
 
-/// Reads a file of any depth and number of channels as linear RGB, its values being sRGB;
-/// grey becomes RGB, alpha is left out.
-///
-/// # Errors
-/// The file is damaged or too large.
-pub fn read(file: &[u8]) -> io::Result<Image> {
-    let decoder = PngDecoder::new(Cursor::new(file)).map_err(io_error)?;
-    let (width, height) = decoder.dimensions();
-    limits::area(width.into(), height.into())?;
-    let encoded = DynamicImage::from_decoder(decoder).map_err(io_error)?.into_rgb16();
-    let linear: Vec<f32> =
-        (0..=u16::MAX).map(|value| linear(f64::from(value) / 65535.0) as f32).collect();
-    let pixels = encoded.pixels().map(|pixel| pixel.0.map(|value| linear[usize::from(value)]));
-    Ok(Image { width, height, pixels: pixels.collect() })
-}
-
 fn io_error(error: ImageError) -> io::Error {
     match error {
         ImageError::IoError(error) => error,
@@ -52,6 +36,10 @@ fn io_error(error: ImageError) -> io::Error {
 
 #[cfg(test)]
 mod tests {
+    use std::io::Cursor;
+
+    use super::super::input::decode;
+    use super::super::tone::linear;
     use super::*;
 
     fn round_trip(image: &Image, tone: Tone) -> Vec<u8> {
@@ -80,7 +68,8 @@ mod tests {
         let image = Image { width: 16, height: 16, pixels };
         let mut file = Cursor::new(Vec::new());
         write(&mut file, &image, Tone::Radiance { exposure: 0.0 }).unwrap();
-        assert_eq!(read(file.get_ref()).unwrap(), image);
+        let read = |file: &[u8]| decode(file, image::ImageFormat::Png);
+        assert_eq!(read(file.get_ref()).unwrap().image, image);
         for length in [0, 8, 30, file.get_ref().len() / 2] {
             assert!(read(&file.get_ref()[..length]).is_err());
         }

@@ -13,6 +13,8 @@ pub struct Features {
     pub cutouts: bool,
     /// Albedo that varies along a surface.
     pub textures: bool,
+    /// It does so by the colours of corners.
+    pub vertex_colors: bool,
     /// Area lights whose emission varies, or that have holes.
     pub emission_textures: bool,
     /// Surfaces with a Phong lobe.
@@ -32,11 +34,14 @@ impl Features {
         let emits = |sphere: &Sphere| scene.materials[sphere.material as usize].emits();
         let emission_textures =
             |m: &&Material| m.emits() && m.emission_texture.or(m.cutout).is_some();
+        let vertex_colors = !scene.colors.is_empty();
         Self {
             spheres: !scene.spheres.is_empty(),
             sphere_lights: scene.spheres.iter().any(emits),
             cutouts: scene.materials.iter().any(|material| material.cutout.is_some()),
-            textures: scene.materials.iter().any(|material| material.texture.is_some()),
+            textures: vertex_colors
+                || scene.materials.iter().any(|material| material.texture.is_some()),
+            vertex_colors,
             emission_textures: scene.materials.iter().filter(emission_textures).count() > 0,
             phong: any(&|bsdf| matches!(bsdf, Bsdf::Phong { .. })),
             mirror: any(&|bsdf| matches!(bsdf, Bsdf::Mirror { .. })),
@@ -67,6 +72,7 @@ impl Features {
             sphere_lights: true,
             cutouts: true,
             textures: true,
+            vertex_colors: true,
             emission_textures: true,
             phong: true,
             mirror: true,

@@ -65,8 +65,8 @@ pub fn caustics(scene: &Scene, settings: &Settings) -> Option<Warning> {
 fn missing_vpls(frame: &Frame, settings: &Settings) -> Option<String> {
     let wanted = settings.traces_light_paths();
     (wanted && frame.counts.vpls == 0).then(|| {
-        "no light path left a VPL, so the image renders direct light alone; look whether the \
-         lights reach a surface"
+        "no light path left a VPL, so the image renders direct light alone: no light reaches a \
+         surface, or what they reach is black, mirror or glass"
             .to_owned()
     })
 }

@@ -1,6 +1,6 @@
 //! What a scene holds, ready to be rendered.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 use super::{
     Camera, DirectionalLight, Environment, Material, PointLight, Sphere, Texels, Texture, Triangle,
@@ -20,6 +20,9 @@ pub struct Scene {
     pub triangles: Vec<Triangle>,
     /// Texture coordinates of the corners of each triangle; none where no material has a texture.
     pub uvs: Vec<[Vec2; 3]>,
+    /// What the colours of the corners of each triangle multiply its albedo by, linear, in [0, 1];
+    /// none where no triangle has any.
+    pub colors: Vec<[Vec3; 3]>,
     /// All spheres.
     pub spheres: Vec<Sphere>,
     /// What triangles and spheres are made of.

@@ -1,13 +1,14 @@
 //! TOML tables whose faults know their line.
 
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use encoding_rs::UTF_8;
 use glam::DVec3;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::SceneError;
+use super::{SceneError, Warning, names};
 use crate::scene::Origin;
 
 /// A TOML file.
@@ -25,7 +26,13 @@ impl<'a> Document<'a> {
     pub fn parse(&self) -> Result<DeTable<'a>, SceneError> {
         DeTable::parse(self.text).map(Spanned::into_inner).map_err(|error| {
             let line = self.line(error.span().unwrap_or_default());
-            SceneError::at(self.file, line, format!("not valid TOML: {}", error.message()))
+            let text = self.text.lines().nth(line - 1).unwrap_or_default();
+            let hint = match text.split('"').skip(1).any(|quoted| quoted.contains('\\')) {
+                true => "; in double quotes a backslash begins an escape, so write / in names",
+                false => "",
+            };
+            let what = format!("not valid TOML: {}{hint}", error.message());
+            SceneError::at(self.file, line, what)
         })
     }
 
@@ -159,6 +166,19 @@ impl<'a> Value<'a> {
             DeValue::String(string) => Ok(string),
             _ => Err(self.fault("must be a string in quotes")),
         }
+    }
+
+    /// The file that a string names, from the directory of this one; where it is another than is named,
+    /// that is a note. One that is not there is where it would be.
+    pub fn path(&self, warnings: &mut Vec<Warning>) -> Result<PathBuf, SceneError> {
+        let directory = self.document.file.parent().unwrap_or(Path::new(""));
+        Ok(match names::find(directory, self.string()?, UTF_8) {
+            Ok(found) => {
+                warnings.extend(found.note.map(|note| self.origin().note(note)));
+                found.path
+            }
+            Err(path) => path,
+        })
     }
 
     pub fn boolean(&self) -> Result<bool, SceneError> {

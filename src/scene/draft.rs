@@ -4,8 +4,9 @@ mod images;
 
 use std::path::PathBuf;
 
-use glam::{DVec3, Vec2};
+use glam::{DVec3, Vec2, Vec3};
 
+use super::shape::UNCOLORED;
 use super::{Bsdf, Environment, FovAxis, ImageFiles, SceneError, Texels, Texture, Warning};
 use crate::message::location;
 
@@ -24,6 +25,9 @@ pub struct Draft {
     /// Texture coordinates of the corners of the triangles, from the image's top left; what lacks
     /// at the end is 0.
     pub uvs: Vec<[Vec2; 3]>,
+    /// What the colours of the corners of the triangles multiply the albedo by, linear; what lacks at
+    /// the end is 1.
+    pub colors: Vec<[Vec3; 3]>,
     /// All spheres.
     pub spheres: Vec<DraftSphere>,
     /// All materials met so far.
@@ -69,6 +73,11 @@ impl Origin {
     /// A warning that something at this place is shown otherwise than it asks for.
     pub fn changed(&self, what: impl AsRef<str>) -> Warning {
         Warning::changed(format!("{}: {}", location(&self.file, self.line), what.as_ref()))
+    }
+
+    /// A warning about this place that leaves the image as the file asks for it.
+    pub fn note(&self, what: impl AsRef<str>) -> Warning {
+        Warning::note(format!("{}: {}", location(&self.file, self.line), what.as_ref()))
     }
 
     /// An error at this place.
@@ -168,6 +177,14 @@ impl Draft {
         self.uvs.resize(self.triangles.len(), [Vec2::ZERO; 3]);
         self.triangles.push((corners, material));
         self.uvs.push(uvs.map(bounded));
+    }
+
+    /// Gives the last triangle colours at its corners.
+    pub fn color_last(&mut self, colors: [Vec3; 3]) {
+        if colors != UNCOLORED {
+            self.colors.resize(self.triangles.len() - 1, UNCOLORED);
+            self.colors.push(colors.map(|color| color.clamp(Vec3::ZERO, Vec3::ONE)));
+        }
     }
 
     /// Adds an image and returns its index.

@@ -3,9 +3,10 @@
 
 use glam::{DVec3, Vec2, Vec3};
 
+use super::shape::UNCOLORED;
 use super::{
-    Bsdf, Camera, Draft, DraftCamera, DraftMaterial, Material, Origin, Scene, SceneError, Units,
-    normalise,
+    Bsdf, Camera, Draft, DraftCamera, DraftMaterial, Material, Origin, Scene, SceneError, Triangle,
+    Units, Warning, normalise,
 };
 
 impl Draft {
@@ -24,18 +25,22 @@ impl Draft {
             origin.error("no camera: add a [camera] table with position, target and fov")
         })?;
         self.uvs.resize(self.triangles.len(), [Vec2::ZERO; 3]);
+        let colored = !self.colors.is_empty();
+        self.colors.resize(self.triangles.len(), UNCOLORED);
         let mesh = normalise::shapes(&origin, &self, &materials)?;
         let point_lights = normalise::point_lights(&origin, &self, &mesh.units)?;
         let directional_lights = normalise::directional_lights(&origin, &self.directional_lights)?;
         let textured = materials.iter().any(|material| material.textures().next().is_some());
         let mut warnings = self.warnings;
         warnings.extend(mesh.warnings);
+        warnings.extend(uncolorable(&origin, &mesh.triangles, &mesh.colors, &materials));
         let scene = Scene {
             name: self.name,
             camera: camera(&draft_camera, &mesh.units)?,
             exposure: self.exposure as f32,
             triangles: mesh.triangles,
             uvs: if textured { mesh.uvs } else { Vec::new() },
+            colors: if colored { mesh.colors } else { Vec::new() },
             spheres: mesh.spheres,
             materials,
             textures: self.textures,
@@ -85,6 +90,24 @@ impl DraftMaterial {
             two_sided: self.two_sided,
         })
     }
+}
+
+/// What is lost of the colours at corners: they multiply an albedo, and nothing else.
+fn uncolorable(
+    origin: &Origin,
+    triangles: &[Triangle],
+    colors: &[[Vec3; 3]],
+    materials: &[Material],
+) -> Option<Warning> {
+    let black = |triangle: &Triangle| {
+        let material = &materials[triangle.material as usize];
+        material.albedo == Vec3::ZERO && material.bsdf != Bsdf::Diffuse
+    };
+    let lost = triangles.iter().zip(colors).filter(|(t, c)| **c != UNCOLORED && black(t)).count();
+    let what = format!(
+        "{lost} triangles have colours at their corners, but a material without a diffuse part"
+    );
+    (lost > 0).then(|| origin.changed(what + "; they are left out"))
 }
 
 /// What is wrong with a BSDF over a diffuse albedo.

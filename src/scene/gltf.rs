@@ -7,9 +7,12 @@
 //! `KHR_lights_punctual`. What else changes the image is reported.
 
 mod accessor;
+mod extensions;
 mod graph;
 mod json;
+mod lenient;
 mod material;
+pub mod omitted;
 mod source;
 mod surface;
 mod texture;
@@ -48,6 +51,18 @@ pub fn read(path: &Path) -> Result<(Mesh, View), SceneError> {
         node.extensions.others.keys().for_each(|name| *unknown.entry(name).or_default() += 1);
     }
     let mut warnings = surfaces.warnings();
+    warnings.extend(source.notes.iter().map(|note| Warning::note(source.says(note))));
+    let left_out = extensions::left_out(&source.document);
+    warnings.extend(left_out.iter().map(|what| Warning::changed(source.says(what))));
+    let document = &source.document;
+    if !document.animations.is_empty() {
+        let what = "has animations, which are left out: it is shown at rest";
+        warnings.push(Warning::changed(source.says(what)));
+    }
+    if document.scenes.len() > 1 {
+        let what = format!("has {} scenes, of which one is shown", document.scenes.len());
+        warnings.push(Warning::note(source.says(&what)));
+    }
     warnings.extend(unknown.iter().map(|(name, count)| {
         let what = format!("{count} nodes have {name}, not supported; it is left out");
         Warning::changed(source.says(&what))

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use glam::{DVec3, Vec2, Vec3};
 
+use super::coplanar::Shapes;
 use super::{
     Cone, DirectionalLight, Draft, DraftSphere, DraftSpot, Material, Origin, PointLight,
     SceneError, Sphere, Triangle, Units, Warning,
@@ -26,6 +27,8 @@ pub struct Normalised {
     pub triangles: Vec<Triangle>,
     /// Their texture coordinates.
     pub uvs: Vec<[Vec2; 3]>,
+    /// What their albedo is multiplied by at their corners.
+    pub colors: Vec<[Vec3; 3]>,
     /// The spheres.
     pub spheres: Vec<Sphere>,
     /// The way back.
@@ -64,8 +67,9 @@ pub fn shapes(
         return Err(origin.error("a coordinate is beyond 1e100, or not a number; scale the scene"));
     }
     let nothing = || origin.error("no triangle with an area, and no sphere: nothing to render");
+    let attributes = || draft.uvs.iter().zip(&draft.colors);
     let with_area =
-        || triangles.iter().zip(&draft.uvs).filter(|((corners, _), _)| has_area(corners));
+        || triangles.iter().zip(attributes()).filter(|((corners, _), _)| has_area(corners));
     if with_area().next().is_none() && spheres.is_empty() {
         return Err(nothing());
     }
@@ -75,11 +79,11 @@ pub fn shapes(
         return Err(origin.error("the scene is smaller than 1e-100 units; scale it"));
     }
     let mut distinct = Distinct::default();
-    for (&(corners, material), &uvs) in with_area() {
+    for (&(corners, material), (&uvs, &colors)) in with_area() {
         let vertices = corners.map(|corner| round(units.normalise(corner)));
         let triangle = Triangle { vertices, material };
         if keeps_area(&triangle) {
-            distinct.add(triangle, uvs, materials);
+            distinct.add(triangle, uvs, colors, materials);
         }
     }
     let spheres = spheres
@@ -92,14 +96,24 @@ pub fn shapes(
         // Else its area would be lost in f32.
         .filter(|sphere| sphere.radius * sphere.radius >= f32::MIN_POSITIVE)
         .collect::<Vec<_>>();
-    if distinct.triangles.is_empty() && spheres.is_empty() {
+    if distinct.shapes.triangles.is_empty() && spheres.is_empty() {
         return Err(nothing());
     }
-    let dropped = triangles.len() - distinct.triangles.len();
+    let dropped = triangles.len() - distinct.shapes.triangles.len();
+    let mut warnings = distinct.warnings(origin, dropped);
+    let mut shapes = distinct.shapes;
+    let pairs = shapes.part(materials);
+    if pairs > 0 {
+        warnings.push(origin.note(format!(
+            "{pairs} pairs of triangles of different materials overlap in one plane; of two, that of \
+             the material with the smaller area there is shown"
+        )));
+    }
     Ok(Normalised {
-        warnings: distinct.warnings(origin, dropped),
-        triangles: distinct.triangles,
-        uvs: distinct.uvs,
+        warnings,
+        triangles: shapes.triangles,
+        uvs: shapes.uvs,
+        colors: shapes.colors,
         spheres,
         units,
         dropped: dropped as u64,
@@ -127,22 +141,28 @@ fn keeps_area(triangle: &Triangle) -> bool {
 /// Triangles, each set of corners but once: two surfaces in one place have no order.
 #[derive(Debug, Default)]
 struct Distinct {
-    triangles: Vec<Triangle>,
-    uvs: Vec<[Vec2; 3]>,
+    shapes: Shapes,
     seen: HashMap<[[u32; 3]; 3], usize>,
     duplicates: usize,
     lost_light: bool,
 }
 
 impl Distinct {
-    fn add(&mut self, triangle: Triangle, uvs: [Vec2; 3], materials: &[Material]) {
+    fn add(
+        &mut self,
+        triangle: Triangle,
+        uvs: [Vec2; 3],
+        colors: [Vec3; 3],
+        materials: &[Material],
+    ) {
         let mut key = triangle.vertices.map(|vertex| vertex.to_array().map(f32::to_bits));
         key.sort_unstable();
-        let index = *self.seen.entry(key).or_insert(self.triangles.len());
-        match self.triangles.get(index) {
+        let index = *self.seen.entry(key).or_insert(self.shapes.triangles.len());
+        match self.shapes.triangles.get(index) {
             None => {
-                self.triangles.push(triangle);
-                self.uvs.push(uvs);
+                self.shapes.triangles.push(triangle);
+                self.shapes.uvs.push(uvs);
+                self.shapes.colors.push(colors);
             }
             Some(first) => {
                 self.duplicates += 1;

@@ -24,6 +24,9 @@ impl Triangle {
     }
 }
 
+/// The colours of the corners of a triangle that has none.
+pub const UNCOLORED: [Vec3; 3] = [Vec3::ONE; 3];
+
 /// A sphere. Its normal points outwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sphere {

@@ -5,6 +5,7 @@ mod files;
 mod filter;
 mod mapping;
 mod mips;
+pub mod omitted;
 mod texels;
 
 pub(super) use files::Known;

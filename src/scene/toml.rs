@@ -15,13 +15,14 @@ use super::{Draft, Scene, SceneError};
 
 /// Loads a scene file.
 pub fn load(path: &Path) -> Result<Scene, SceneError> {
-    let text = read_text(path)?;
-    let document = Document::new(path, &text);
+    let text = read_text(path, None)?;
+    let document = Document::new(path, &text.content);
     let table = document.parse()?;
     let root = document.section("the scene file", 1, &table);
     root.only(&["exposure", "camera", "mesh", "sphere", "materials", "light"])?;
 
     let mut draft = Draft::new(path.display().to_string());
+    draft.warnings.extend(text.note(path));
     if let Some(exposure) = root.get("exposure") {
         draft.exposure = exposure.number()?;
     }

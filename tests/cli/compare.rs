@@ -14,29 +14,29 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 /// A directory of images to compare.
-struct Images(TempDir);
+pub struct Images(TempDir);
 
 /// What a comparison left behind.
-struct Outcome {
-    code: i32,
-    stdout: String,
-    stderr: String,
+pub struct Outcome {
+    pub code: i32,
+    pub stdout: String,
+    pub stderr: String,
 }
 
 impl Images {
-    fn new() -> Self {
+    pub fn new() -> Self {
         Self(tempfile::tempdir().expect("a directory for the test"))
     }
 
     /// Two constant images of 32 × 16 pixels, r.exr and x.exr.
-    fn constant(reference: f32, image: f32) -> Self {
+    pub fn constant(reference: f32, image: f32) -> Self {
         let images = Self::new();
         images.add("r.exr", [32, 16], |_, _| [reference; 3]);
         images.add("x.exr", [32, 16], |_, _| [image; 3]);
         images
     }
 
-    fn path(&self, name: &str) -> PathBuf {
+    pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
@@ -54,7 +54,7 @@ impl Images {
     }
 
     /// Runs `compare` with arguments split at blanks.
-    fn compare(&self, arguments: &str) -> Outcome {
+    pub fn compare(&self, arguments: &str) -> Outcome {
         let output = Command::new(env!("CARGO_BIN_EXE_gpu-vpl"))
             .arg("compare")
             .args(arguments.split_whitespace())
@@ -70,14 +70,14 @@ impl Images {
     }
 
     /// The metrics; the comparison is fine and has nothing to complain about.
-    fn metrics(&self, arguments: &str) -> Value {
+    pub fn metrics(&self, arguments: &str) -> Value {
         let outcome = self.compare(&format!("{arguments} --json"));
         assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""), "{arguments}");
         serde_json::from_str(&outcome.stdout).expect("JSON")
     }
 
     /// The comparison ends with this code and one line on standard error.
-    fn fails(&self, arguments: &str, code: i32, says: &str) -> Outcome {
+    pub fn fails(&self, arguments: &str, code: i32, says: &str) -> Outcome {
         let outcome = self.compare(arguments);
         let Outcome { stderr, .. } = &outcome;
         assert_eq!(outcome.code, code, "{arguments}: {stderr}");

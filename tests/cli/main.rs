@@ -2,11 +2,17 @@
 
 #![expect(clippy::expect_used, reason = "a helper of tests fails by panicking")]
 
+#[cfg(unix)]
+#[path = "../common/child.rs"]
+mod child;
 mod compare;
+mod compare_files;
 mod denoise;
+mod exposure;
 mod info;
 mod outputs;
 mod path;
+mod signals;
 
 use std::fs;
 use std::path::Path;
@@ -171,6 +177,34 @@ fn an_adapter_that_is_not_there_is_code_3() {
     run(&format!("{SMALL} -o a.png --adapter {missing}")).fails(3, missing);
     run(&format!("{SMALL} -o a.png")).env("WGPU_ADAPTER_NAME", missing).fails(3, missing);
     run(&format!("info --adapter {missing}")).fails(3, missing);
+}
+
+#[test]
+fn a_backend_that_is_not_there_is_code_3() {
+    for backend in ["voodoo", "gl", "vulkan,voodoo"] {
+        run(&format!("{SMALL} -o a.png")).env("WGPU_BACKEND", backend).fails(3, backend);
+    }
+    #[cfg(target_os = "linux")]
+    {
+        run(&format!("{SMALL} -o a.png"))
+            .env("WGPU_BACKEND", "metal")
+            .fails(3, "WGPU_BACKEND=metal");
+        run(&format!("{SMALL} -o a.png")).env("WGPU_BACKEND", "gl,Vulkan").succeeds();
+    }
+}
+
+#[test]
+fn the_list_of_what_formats_have_and_is_not_shown_is_printed() {
+    let text = String::from_utf8(run("info --formats").succeeds().stdout).expect("UTF-8");
+    let rows = run("info --formats --json").succeeds().stdout;
+    let rows: Vec<Value> = serde_json::from_slice(&rows).expect("JSON");
+    let listed = gpu_vpl::scene::omissions().count();
+    assert_eq!(rows.len(), listed);
+    let lines = text.lines().filter(|line| line.starts_with("* ") || line.starts_with("  "));
+    assert_eq!(lines.count(), listed + 1, "{text}");
+    for row in rows {
+        assert!(text.contains(row["what"].as_str().expect("a name")), "{row}");
+    }
 }
 
 #[cfg(target_os = "linux")]

@@ -13,16 +13,16 @@ impl Started {
         Self(command.spawn().expect("the program starts"))
     }
 
-    /// Asks it to end, as Ctrl-C in a terminal does. The program `kill` is not everywhere, and crates
-    /// that send signals safely (rustix, nix) turn on features of crates that the library is built
-    /// with, so that it would be built twice.
+    /// Sends it a signal, as Ctrl-C in a terminal sends SIGINT. The program `kill` is not everywhere, and
+    /// crates that send signals safely (rustix, nix) turn on features of crates that the library is
+    /// built with, so that it would be built twice.
     #[cfg(unix)]
-    pub fn interrupt(&self) {
+    pub fn send(&self, signal: i32) {
         let id = libc::pid_t::try_from(self.0.id()).expect("a number of a process");
         #[expect(unsafe_code, reason = "what sends signals safely changes the library's build")]
         // SAFETY: two numbers are passed; the child is not waited for yet, so that its number is
         // that of no other process.
-        let sent = unsafe { libc::kill(id, libc::SIGINT) };
+        let sent = unsafe { libc::kill(id, signal) };
         assert_eq!(sent, 0, "it has ended already");
     }
 }

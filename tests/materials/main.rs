@@ -6,3 +6,4 @@ mod common;
 mod scattering;
 mod surfaces;
 mod textures;
+mod vertex_colors;

@@ -179,7 +179,7 @@ fn a_map_that_cannot_be_read_is_magenta() {
         ("a.png", Some(b"no image".to_vec()), "unknown format"),
         ("a.hdr", Some(huge), "more than 268435456"),
         ("a.hdr", Some(large), "more than its bytes can hold"),
-        ("a.hdr", Some(none), "texels: none"),
+        ("a.hdr", Some(none), "0 x 0 pixels are none"),
     ] {
         let scene = around("radiance = [2, 2, 3]\n", name, bytes.as_deref());
         warned(&scene, &format!("scene.toml:10: image {name} "), true);

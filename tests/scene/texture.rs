@@ -117,7 +117,7 @@ fn a_bad_image_is_magenta_with_a_warning_that_names_it() {
         ("a.png", None, "is not there"),
         (".", None, "is not there"),
         ("a.png", Some(Vec::new()), "unknown format"),
-        ("a.gif", Some(b"GIF89a".to_vec()), "unknown format"),
+        ("a.gif", Some(b"GIF89a".to_vec()), "is damaged"),
         ("a.txt", Some(b"hello".to_vec()), "unknown format"),
         ("a.tga", Some(b"hello".to_vec()), "is damaged"),
         ("a.png", Some(corrupt), "is damaged"),

@@ -13,7 +13,8 @@ use gpu_vpl::render::{Method, Plan, Prepared, Settings, frame};
 use gpu_vpl::scene::Scene;
 
 /// What the Cornell box has none of.
-const FOREIGN: [&str; 11] = [
+const FOREIGN: [&str; 12] = [
+    "vertex_color",
     "phong",
     "glass",
     "mirror",
@@ -28,7 +29,8 @@ const FOREIGN: [&str; 11] = [
 ];
 
 /// Those of [`FOREIGN`] that are in programs with everything linked.
-const LINKED: [&str; 7] = ["phong", "glass", "mirror", "texture", "texel", "sphere", "node"];
+const LINKED: [&str; 8] =
+    ["vertex_color", "phong", "glass", "mirror", "texture", "texel", "sphere", "node"];
 
 fn programs(method: Method, link_everything: bool) -> Vec<Program> {
     let scene = Scene::load("builtin:cornell").expect("it is built in");
@@ -106,6 +108,7 @@ fn features_go_by_the_names_of_reports() {
     let both = left_out(Method::Both, false);
     let of_scenes = [
         "textures",
+        "vertex colours",
         "emission textures",
         "alpha cut-outs",
         "phong",

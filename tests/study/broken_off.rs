@@ -92,7 +92,7 @@ fn ctrl_c_writes_what_is_done() {
     let options = format!("{SWEEP} -o out");
     let mut child = Started::of(command(place.path(), &options).stderr(Stdio::piped()));
     wait_for(&place.path().join("out/measured/measured.jsonl"), 20, &mut child);
-    child.interrupt();
+    child.send(libc::SIGINT);
     let mut stderr = String::new();
     child.stderr.take().unwrap().read_to_string(&mut stderr).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(130), "{stderr}");
@@ -121,7 +121,7 @@ fn broken_off_extremes_are_written_and_go_on() {
         let mut child = Started::of(command(place.path(), &options).stderr(Stdio::piped()));
         let mut told = BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok);
         let first = told.find(|line| line.starts_with("1 of ")).expect("no case was run");
-        child.interrupt();
+        child.send(libc::SIGINT);
         let last = told.last().unwrap();
         assert!(last.starts_with("error: interrupted: "), "{last}");
         assert_eq!(child.wait().unwrap().code(), Some(130), "{last}");

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::super::parse::{self, Compensate, LightSamples};
+use super::super::parse::{self, Compensate, Exposure, LightSamples};
 use super::aov::Aov;
 use crate::denoise;
 use crate::error::Error;
@@ -108,9 +108,11 @@ pub struct RenderArgs {
     #[arg(long, value_name = "WxH", value_parser = parse::size, allow_hyphen_values = true)]
     pub size: Option<[u32; 2]>,
 
-    /// Exposure of the PNG in stops [default: the scene's]
-    #[arg(long, value_name = "EV", value_parser = parse::exposure, allow_hyphen_values = true)]
-    pub exposure: Option<f32>,
+    /// Exposure of the PNG in stops, or auto: one at which nearly all of the image is seen [default:
+    /// the scene's]
+    #[arg(long, value_name = "EV|auto", value_parser = parse::exposure_or_auto,
+          allow_hyphen_values = true)]
+    pub exposure: Option<Exposure>,
 
     /// Samples per pixel; all share one set of VPLs [default: 16 with path, else 1]
     #[arg(long, allow_negative_numbers = true, visible_alias = "spp", value_name = "S",

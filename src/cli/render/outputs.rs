@@ -49,6 +49,11 @@ impl Outputs {
         Ok(outputs)
     }
 
+    /// Whether there are images of 8 bits, to which the exposure matters.
+    pub fn has_png(&self) -> bool {
+        self.images.iter().any(|file| file.format == Format::Png)
+    }
+
     fn check_clashes(&self) -> Result<(), Error> {
         let images = self
             .images

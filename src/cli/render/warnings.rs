@@ -2,6 +2,8 @@
 
 use crate::cli::console;
 use crate::error::Error;
+use crate::image::Image;
+use crate::image::exposure::{self, Look};
 use crate::render::{Frame, Settings};
 use crate::report::warnings;
 use crate::scene::Warning;
@@ -43,6 +45,24 @@ impl Warnings {
     pub fn check(&mut self, frame: &Frame, settings: &Settings) -> Result<(), Error> {
         warnings::of_frame(frame, settings)
             .try_for_each(|message| self.add(Warning { message, changes_image: true }))
+    }
+}
+
+/// What to say of an image of light that cannot be seen.
+pub fn look(image: &Image, exposure: f32, has_png: bool) -> Option<String> {
+    let fits = |what: &str, stops: f32| {
+        format!(
+            "nearly all that is seen is {what} at this exposure; --exposure {stops} would fit it"
+        )
+    };
+    match exposure::look(image, exposure) {
+        Look::Black => Some(
+            "the image is black all over: no surface is seen, or no light reaches those that are"
+                .to_owned(),
+        ),
+        Look::Dark(stops) if has_png => Some(fits("black", stops)),
+        Look::Clipped(stops) if has_png => Some(fits("white", stops)),
+        _ => None,
     }
 }
 

@@ -29,7 +29,7 @@ const KEYS: [&str; 9] = [
 /// # Errors
 /// The file is missing or malformed, or holds something that is no option or value of `render`.
 pub fn read(file: &Path, scenes: Vec<String>) -> Result<Plan, Error> {
-    let text = read_text(file)?;
+    let text = read_text(file, None)?.content;
     let document = Document::new(file, &text);
     let table = document.parse()?;
     let root = document.section("the sweep", 1, &table);

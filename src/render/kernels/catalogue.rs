@@ -49,6 +49,8 @@ modules! {
     STORE_ALBEDO_NONE = "camera/store_albedo_none";
     STORE_ALBEDO = "camera/store_albedo" for "textures";
     MATERIAL_TEXTURES = "materials/material_textures";
+    VERTEX_COLOR = "materials/vertex_color" for "vertex colours";
+    VERTEX_COLOR_NONE = "materials/vertex_color_none";
     MATERIAL_TEXTURES_FILTERED = "materials/material_textures_filtered";
     FOOTPRINT = "materials/footprint";
     TEXTURE_FILTERED = "materials/texture_filtered";

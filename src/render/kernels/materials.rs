@@ -6,7 +6,8 @@ use super::catalogue::{
     LIGHT_SCALE_NONE, LIGHT_SCALE_TEXTURED, LOBE_ENERGY, LOBE_SAMPLE, LOBES_DIFFUSE, LOBES_PHONG,
     MATERIAL_TEXTURES, MATERIAL_TEXTURES_FILTERED, PHONG, SCATTER_DIFFUSE, SCATTER_PHONG,
     STORE_ALBEDO, STORE_ALBEDO_NONE, STORE_EMISSION_SCALE, STORE_EMISSION_SCALE_NONE,
-    TEXTURE_FILTERED, UV_DIFFERENCE, UV_DIFFERENCE_ANY, UV_DIFFERENCE_TRIANGLE, VIEW_DIRECTION,
+    TEXTURE_FILTERED, UV_DIFFERENCE, UV_DIFFERENCE_ANY, UV_DIFFERENCE_TRIANGLE, VERTEX_COLOR,
+    VERTEX_COLOR_NONE, VIEW_DIRECTION,
 };
 use super::trace::textures;
 use crate::gpu::Module;
@@ -38,6 +39,11 @@ pub fn light_emission_scale(features: Features) -> Vec<&'static Module> {
     }
 }
 
+/// What the colours of corners multiply the albedo by.
+fn vertex_color(features: Features) -> &'static Module {
+    if features.vertex_colors { &VERTEX_COLOR } else { &VERTEX_COLOR_NONE }
+}
+
 /// What keeps albedo and emission of points where rays have hit, at a place or, where camera rays
 /// are `filtered`, over what a pixel sees.
 pub fn store_attributes(features: Features, filtered: bool) -> Vec<&'static Module> {
@@ -49,7 +55,10 @@ pub fn store_attributes(features: Features, filtered: bool) -> Vec<&'static Modu
             false => modules.push(&MATERIAL_TEXTURES),
         }
     }
-    modules.push(if features.textures { &STORE_ALBEDO } else { &STORE_ALBEDO_NONE });
+    match features.textures {
+        true => modules.extend([vertex_color(features), &STORE_ALBEDO]),
+        false => modules.push(&STORE_ALBEDO_NONE),
+    }
     modules.push(if features.emission_textures {
         &STORE_EMISSION_SCALE
     } else {

@@ -58,7 +58,7 @@ impl Surface {
             through: -SURFACE_OFFSET * (normal + BEHIND * along),
             normal,
             front,
-            albedo: material.albedo * texture,
+            albedo: material.albedo * texture * vertex_color(scene, hit),
             material: hit.material,
         }
     }
@@ -98,6 +98,14 @@ fn place(scene: &Scene, hit: &Hit) -> (Vec3, Vec3) {
             (sphere.center + sphere.radius * normal, normal)
         }
     }
+}
+
+/// What the colours of corners multiply by where a ray has hit. The twin of
+/// `shaders/materials/vertex_color.wgsl`.
+fn vertex_color(scene: &Scene, hit: &Hit) -> Vec3 {
+    let Some([a, b, c]) = scene.colors.get(hit.shape as usize) else { return Vec3::ONE };
+    let color = *a + (*b - *a) * hit.weights[1] + (*c - *a) * hit.weights[2];
+    color.clamp(Vec3::ZERO, Vec3::ONE)
 }
 
 /// What a texture multiplies by where a ray has hit.

@@ -52,6 +52,10 @@ pub fn tables(
             ("textures of materials", of::<[u32; 2]>(materials)),
         ]);
     }
+    if features.vertex_colors {
+        let corners = 3 * (scene.triangles.len() + scene.spheres.len());
+        tables.push(("colours of corners", of::<[u16; 4]>(corners)));
+    }
     if features.emission_textures {
         tables.push(("textures of area lights", of::<[u32; 4]>(scene.emitters().count())));
     }

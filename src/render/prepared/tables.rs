@@ -1,6 +1,6 @@
 //! The scene on the device: its tables, and whether there is room for them.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 use crate::bvh::{Bvh, WideBvh};
 use crate::gpu::{
@@ -27,6 +27,7 @@ fn sizes(gpu: &Gpu, scene: &Scene, features: Features) -> Vec<(&'static str, usi
         let images = used_images(scene, most_texels(gpu));
         let texels: usize = images.iter().map(|image| image.texels(scene)).sum();
         sizes.push(("texels", texels * size_of::<u32>()));
+        sizes.push(("colours of corners", scene.colors.len() * size_of::<[[u16; 4]; 3]>()));
         sizes.push(("texture coordinates", scene.uvs.len() * size_of::<[Vec2; 3]>()));
     }
     sizes
@@ -89,6 +90,10 @@ pub fn upload(
             ("material_textures", gpu.storage_of("textures of materials", &used)?),
         ]);
     }
+    if features.vertex_colors {
+        let colors = vertex_colors(scene);
+        tables.push(("vertex_colors", gpu.storage_of("colours of corners", &colors)?));
+    }
     if features.emission_textures {
         let lights = light_textures(scene);
         tables.push(("light_textures", gpu.storage_of("textures of area lights", &lights)?));
@@ -116,6 +121,19 @@ fn light_textures(scene: &Scene) -> Vec<[u32; 4]> {
         [triangle, glow, cutout, 0]
     };
     scene.emitters().map(of_light).collect()
+}
+
+/// The colours of the corners of all shapes: see `shaders/materials/vertex_color.wgsl`.
+fn vertex_colors(scene: &Scene) -> Vec<[u16; 4]> {
+    let code = |value: f32| (value.clamp(0.0, 1.0) * f32::from(u16::MAX)).round() as u16;
+    let packed = |color: &Vec3| {
+        let [r, g, b] = color.to_array().map(code);
+        [r, g, b, 0]
+    };
+    let colors = scene.colors.as_flattened();
+    let white = 3 * (scene.triangles.len() + scene.spheres.len()) - colors.len();
+    let white = std::iter::repeat_n(&Vec3::ONE, white);
+    colors.iter().chain(white).map(packed).collect()
 }
 
 fn plus_one(texture: Option<u32>) -> u32 {

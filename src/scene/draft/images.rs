@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{Draft, Origin};
 use crate::scene::texture::decode::{Decoded, Means, decode};
-use crate::scene::texture::{Known, Part, Texels, Texture, read_image};
+use crate::scene::texture::{Known, Part, Texels, Texture, omitted, read_image};
 
 impl Draft {
     /// The texture of a whole image file, repeated. One that cannot be read is magenta, with a
@@ -36,7 +36,13 @@ impl Draft {
                 let Texels { size, rgba, .. } = self.images[index as usize].clone();
                 Ok(Decoded { size, rgba, has_alpha })
             }
-            None => read().and_then(|bytes| decode(&bytes, path)),
+            None => read().and_then(|bytes| {
+                let decoded = decode(&bytes, path)?;
+                let notes = omitted::of(&bytes)
+                    .map(|omission| origin.note(format!("image {name} {}", omission.instead)));
+                self.warnings.extend(notes);
+                Ok(decoded)
+            }),
         };
         let known = match (decoded, color) {
             // Its own alpha is what it is.
@@ -62,6 +68,12 @@ impl Draft {
         };
         self.image_files.known.insert(key(part), known);
         known.index
+    }
+
+    /// Whether the image of a texture has an alpha that is not 1 all over.
+    pub fn has_holes(&self, texture: u32) -> bool {
+        let image = self.textures[texture as usize].image;
+        self.images[image as usize].rgba.iter().any(|texel| texel[3] != u8::MAX)
     }
 
     /// The mean of such an image; none if it cannot be read, with a warning that ends as told.

@@ -1,21 +1,16 @@
 //! Environment maps: Radiance `.hdr` and EXR, whose values are radiance, and images of 8 bits,
 //! whose values are sRGB.
 
-use std::io::Cursor;
 use std::path::Path;
 
-use glam::{DVec3, Vec3};
-use image::codecs::hdr::HdrDecoder;
-use image::{DynamicImage, ImageDecoder as _};
+use glam::{DQuat, DVec3, Vec3};
 use rayon::prelude::*;
 
+use super::turn::turned;
 use super::{Environment, EnvironmentImage, MOST, pack};
-use crate::image::exr;
+use crate::image::{Picture, exr, hdr};
 use crate::scene::texture::{decode, linear, read_image};
 use crate::scene::{Origin, Warning, normalise};
-
-/// The most texels of a map: 1 GiB packed.
-const MOST_TEXELS: u64 = 1 << 28;
 
 /// Greater radiances would overflow when they are rounded up.
 const BRIGHTEST: f32 = 1e37;
@@ -28,18 +23,25 @@ struct Map {
     unit: f32,
     /// How many of its texels cannot be, and the first of them.
     impossible: Option<(usize, [usize; 2])>,
+    /// What was read otherwise than it stands.
+    notes: Vec<String>,
 }
 
-/// An environment of a map, multiplied by `radiance`, and what was wrong with it. One that
+/// An environment of a map, multiplied by `radiance` and turned, and what was wrong with it. One that
 /// cannot be read is magenta.
-pub fn read(path: &Path, radiance: DVec3, origin: &Origin) -> (Environment, Option<Warning>) {
+pub fn read(
+    path: &Path,
+    radiance: DVec3,
+    turn: DQuat,
+    origin: &Origin,
+) -> (Environment, Vec<Warning>) {
     let shown = path.display();
     let magenta = |what: &str| {
         let radiance = normalise::round(radiance * DVec3::new(1.0, 0.0, 1.0));
         let warning = origin.changed(format!("image {shown} {what}; magenta is shown"));
-        (Environment { radiance, image: None }, Some(warning))
+        (Environment { radiance, image: None }, vec![warning])
     };
-    let Map { image, unit, impossible } = match read_map(path) {
+    let Map { image, unit, impossible, notes } = match read_map(path, turn) {
         Ok(map) => map,
         Err(what) => return magenta(&what),
     };
@@ -51,43 +53,52 @@ pub fn read(path: &Path, radiance: DVec3, origin: &Origin) -> (Environment, Opti
         let what = "negative, beyond 1e37 or no numbers; they are 0 here";
         origin.changed(format!("image {shown}: {count} pixels, the first at {x}, {y}, are {what}"))
     });
-    (Environment { radiance: normalise::round(radiance), image: Some(image) }, warning)
+    let notes = notes.iter().map(|note| origin.note(format!("image {shown} {note}")));
+    let probe = probe(image.size).map(|what| {
+        origin.changed(format!("image {shown} has the shape of {what}; read as equirectangular"))
+    });
+    let warnings = notes.chain(probe).chain(warning).collect();
+    (Environment { radiance: normalise::round(radiance), image: Some(image) }, warnings)
 }
 
-fn read_map(path: &Path) -> Result<Map, String> {
+/// What maps of this shape are that are not equirectangular.
+fn probe(size: [u32; 2]) -> Option<&'static str> {
+    /// Smaller ones are made by hand.
+    const LEAST: u32 = 32;
+    let [width, height] = size.map(u64::from);
+    match () {
+        _ if size[0].min(size[1]) < LEAST => None,
+        _ if width == height => Some("an angular map, a mirrored ball or a face of a cube"),
+        _ if 3 * width == 4 * height || 4 * width == 3 * height => Some("a cube's cross"),
+        _ if width == 6 * height || 6 * width == height => Some("a cube's strip"),
+        _ => None,
+    }
+}
+
+fn read_map(path: &Path, turn: DQuat) -> Result<Map, String> {
     let bytes = read_image(path)?;
     let name = path.display().to_string();
-    if bytes.starts_with(&EXR) {
-        let image = exr::read(&bytes).map_err(|error| format!("is damaged: {error}"))?;
+    let read = match &bytes[..] {
+        start if start.starts_with(&EXR) => Some(exr::read(&bytes, None)),
+        start if start.starts_with(hdr::MARK) => Some(hdr::read(&bytes)),
+        _ => None,
+    };
+    if let Some(read) = read {
+        let Picture { image, layer, mut notes, .. } =
+            read.map_err(|error| format!("is damaged: {error}"))?;
         drop(bytes);
+        notes.extend(layer.map(|layer| format!("has layers, of which {layer} is read")));
         let size = [image.width, image.height];
-        return Ok(from_radiance(name, size, image.pixels.into_flattened()));
-    }
-    if bytes.starts_with(b"#?") {
-        let (size, pixels) = read_hdr(&bytes)?;
-        drop(bytes);
-        return Ok(from_radiance(name, size, pixels));
+        let pixels = turned(size, image.pixels, turn);
+        return Ok(Map { notes, ..from_radiance(name, size, pixels.into_flattened()) });
     }
     let decode::Decoded { size, rgba, .. } = decode::decode(&bytes, path)?;
     let table: Vec<f32> = (0..=u8::MAX).map(|value| linear(f32::from(value) / 255.0)).collect();
-    let texel = |&[r, g, b, _]: &[u8; 4]| {
-        pack(Vec3::from_array([r, g, b].map(|value| table[usize::from(value)])))
-    };
-    let texels = rgba.par_iter().map(texel).collect();
-    Ok(Map { image: EnvironmentImage { name, size, texels }, unit: 1.0, impossible: None })
-}
-
-fn read_hdr(bytes: &[u8]) -> Result<([u32; 2], Vec<f32>), String> {
-    let damaged = |error: image::ImageError| format!("is damaged: {error}");
-    let decoder = HdrDecoder::new_nonstrict(Cursor::new(bytes)).map_err(damaged)?;
-    let (width, height) = decoder.dimensions();
-    let texels = u64::from(width) * u64::from(height);
-    if !(1..=MOST_TEXELS).contains(&texels) {
-        return Err(format!("has {width} x {height} texels: none, or more than {MOST_TEXELS}"));
-    }
-    decode::check_expansion(bytes.len(), 4 * texels)?;
-    let image = DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgb32f();
-    Ok(([width, height], image.into_raw()))
+    let pixel = |&[r, g, b, _]: &[u8; 4]| [r, g, b].map(|value| table[usize::from(value)]);
+    let pixels = turned(size, rgba.par_iter().map(pixel).collect(), turn);
+    let texels = pixels.par_iter().map(|&pixel| pack(Vec3::from_array(pixel))).collect();
+    let image = EnvironmentImage { name, size, texels };
+    Ok(Map { image, unit: 1.0, impossible: None, notes: Vec::new() })
 }
 
 /// Packs radiances, in a unit that the largest of them fits.
@@ -108,7 +119,8 @@ fn from_radiance(name: String, size: [u32; 2], mut channels: Vec<f32>) -> Map {
     let unit = unit(most);
     let pixels = channels.as_chunks::<3>().0;
     let texels = pixels.par_iter().map(|&pixel| pack(Vec3::from_array(pixel) / unit)).collect();
-    Map { image: EnvironmentImage { name, size, texels }, unit, impossible }
+    let image = EnvironmentImage { name, size, texels };
+    Map { image, unit, impossible, notes: Vec::new() }
 }
 
 /// The power of two in which `most` is at most [`MOST`], and not so small that packing would

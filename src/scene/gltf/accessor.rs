@@ -91,9 +91,12 @@ impl<'a> Accessor<'a> {
         Self::open(source, index, &["VEC3"])
     }
 
-    /// Colours, with or without alpha.
+    /// Colours, with or without alpha. Those of whole numbers are normalised, whether they say so or
+    /// not.
     pub fn colours(source: &'a Source, index: usize) -> Result<Self, SceneError> {
-        Self::open(source, index, &["VEC3", "VEC4"])
+        let mut accessor = Self::open(source, index, &["VEC3", "VEC4"])?;
+        accessor.normalized |= accessor.component.is_index();
+        Ok(accessor)
     }
 
     /// Texture coordinates.
@@ -219,6 +222,12 @@ impl<'a> Accessor<'a> {
             true => Ok(vector),
             false => Err(self.fault(&format!("has an element {element} that is not finite"))),
         }
+    }
+
+    /// The last of four components of an element; 1 if it has fewer.
+    pub fn alpha(&self, element: usize) -> Result<f64, SceneError> {
+        let [.., alpha] = self.numbers(element)?;
+        Ok(if self.width == 4 { alpha } else { 1.0 })
     }
 
     /// The components of an element, and zeros.

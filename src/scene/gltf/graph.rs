@@ -5,6 +5,7 @@ use glam::{DAffine3, DMat4, DQuat, DVec3};
 use super::json::Node;
 use super::source::Source;
 use crate::scene::SceneError;
+use crate::scene::mesh::affine;
 
 /// The nodes of the default scene, of the first if none is, or all if there are no scenes;
 /// parents before their children, with their transforms to the scene.
@@ -83,11 +84,8 @@ fn check_roots(source: &Source, roots: &[usize], is_child: &[bool]) -> Result<()
 fn local(source: &Source, index: usize, node: &Node) -> Result<DAffine3, SceneError> {
     let fault = |what: &str| source.fault(format!("node {index}: {what}; export it again"));
     if let Some(matrix) = &node.matrix {
-        let matrix = DMat4::from_cols_array(matrix);
-        if matrix.row(3).to_array() != [0.0, 0.0, 0.0, 1.0] {
-            return Err(fault("its matrix is no affine map (the last row is not 0, 0, 0, 1)"));
-        }
-        return Ok(DAffine3::from_mat4(matrix));
+        return affine(DMat4::from_cols_array(matrix))
+            .ok_or_else(|| fault("its matrix is no affine map (the last row is not 0, 0, 0, 1)"));
     }
     let rotation = DQuat::from_array(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
     let length = rotation.length();

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 use serde_json::Value;
 
 /// Extensions by name, in the order of the names, so that messages do not vary.
@@ -14,6 +15,7 @@ pub type Extensions = BTreeMap<String, Value>;
 pub struct Document {
     pub asset: Asset,
     pub extensions_required: Vec<String>,
+    pub extensions_used: Vec<String>,
     pub extensions: DocumentExtensions,
     pub scene: Option<usize>,
     pub scenes: Vec<Scene>,
@@ -27,6 +29,8 @@ pub struct Document {
     pub accessors: Vec<Accessor>,
     pub buffer_views: Vec<BufferView>,
     pub buffers: Vec<Buffer>,
+    /// Only that there are any.
+    pub animations: Vec<IgnoredAny>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -57,6 +61,7 @@ pub struct Light {
     pub kind: String,
     pub color: Option<[f64; 3]>,
     pub intensity: Option<f64>,
+    pub range: Option<f64>,
     pub spot: Spot,
 }
 
@@ -144,7 +149,47 @@ pub struct Material {
     pub alpha_mode: Option<String>,
     pub alpha_cutoff: Option<f64>,
     pub double_sided: bool,
-    pub extensions: Extensions,
+    pub extensions: MaterialExtensions,
+}
+
+impl Material {
+    /// The texture of its colour.
+    pub fn base_texture(&self) -> Option<&TextureInfo> {
+        match &self.extensions.specular_glossiness {
+            Some(of_extension) => of_extension.diffuse_texture.as_ref(),
+            None => self.pbr_metallic_roughness.base_color_texture.as_ref(),
+        }
+    }
+
+    /// The factor of its colour, and its alpha.
+    pub fn base_factor(&self) -> [f64; 4] {
+        let factor = match &self.extensions.specular_glossiness {
+            Some(of_extension) => of_extension.diffuse_factor,
+            None => self.pbr_metallic_roughness.base_color_factor,
+        };
+        factor.unwrap_or([1.0; 4])
+    }
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub struct MaterialExtensions {
+    #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
+    pub specular_glossiness: Option<SpecularGlossiness>,
+    #[serde(rename = "KHR_materials_unlit")]
+    pub unlit: Option<IgnoredAny>,
+    #[serde(flatten)]
+    pub others: Extensions,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub struct SpecularGlossiness {
+    pub diffuse_factor: Option<[f64; 4]>,
+    pub diffuse_texture: Option<TextureInfo>,
+    pub specular_factor: Option<[f64; 3]>,
+    pub glossiness_factor: Option<f64>,
+    pub specular_glossiness_texture: Option<TextureInfo>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -188,6 +233,19 @@ pub struct TextureTransform {
 pub struct Texture {
     pub source: Option<usize>,
     pub sampler: Option<usize>,
+    pub extensions: TextureSources,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub struct TextureSources {
+    #[serde(rename = "EXT_texture_webp")]
+    pub webp: Option<TextureSource>,
+}
+
+#[derive(Debug, Deserialize)]
+pub struct TextureSource {
+    pub source: usize,
 }
 
 #[derive(Debug, Default, Deserialize)]

@@ -74,13 +74,13 @@ impl Reader<'_> {
     fn read(&mut self) -> Result<DraftMaterial, SceneError> {
         let json = self.json;
         self.note_unknown();
-        let [r, g, b, alpha] = json.pbr_metallic_roughness.base_color_factor.unwrap_or([1.0; 4]);
+        let [r, g, b, alpha] = json.base_factor();
         let rounded = |x: f64| if x > 1.0 && x <= 1.0 + ROUNDING { 1.0 } else { x };
         let base = DVec3::new(r, g, b).map(rounded);
         let (albedo, bsdf) = self.surface(base)?;
         let emission = DVec3::from_array(json.emissive_factor.unwrap_or_default())
             * self.extension(STRENGTH, "emissiveStrength", 1.0)?;
-        let base_texture = json.pbr_metallic_roughness.base_color_texture.as_ref();
+        let base_texture = json.base_texture();
         let is_glass = matches!(bsdf, Bsdf::Glass { .. });
         Ok(DraftMaterial {
             name: self.name.clone(),
@@ -111,6 +111,13 @@ impl Reader<'_> {
         if transmission > 0.0 {
             self.lost.push("a little transmission".to_owned());
         }
+        if self.json.extensions.unlit.is_some() {
+            self.lost.push("KHR_materials_unlit, lit as any surface".to_owned());
+            return Ok((base, Bsdf::Diffuse));
+        }
+        if let Some(glossy) = &self.json.extensions.specular_glossiness {
+            return self.specular_glossiness(base, glossy);
+        }
         let [metalness, roughness] = self.metalness_and_roughness()?;
         if metalness == 0.0 && roughness >= ROUGH {
             return Ok((base, Bsdf::Diffuse));
@@ -124,9 +131,39 @@ impl Reader<'_> {
         }
         let albedo = (1.0 - DIELECTRIC) * (1.0 - metalness) * base;
         let specular = DIELECTRIC * (1.0 - metalness) + metalness * metal;
-        let alpha = (roughness * roughness).max(1e-6);
-        let shininess = (2.0 / (alpha * alpha) - 2.0).clamp(0.0, MOST_SHININESS) as f32;
-        Ok((albedo, Bsdf::Phong { specular: normalise::round(specular), shininess }))
+        Ok((albedo, phong(specular, roughness)))
+    }
+
+    /// `KHR_materials_pbrSpecularGlossiness`: a diffuse part under what is mirrored, whose largest
+    /// channel it loses.
+    fn specular_glossiness(
+        &mut self,
+        diffuse: DVec3,
+        glossy: &json::SpecularGlossiness,
+    ) -> Result<(DVec3, Bsdf), SceneError> {
+        let mut specular = DVec3::from_array(glossy.specular_factor.unwrap_or([1.0; 3]));
+        let mut glossiness = glossy.glossiness_factor.unwrap_or(1.0);
+        if let Some(info) = &glossy.specular_glossiness_texture {
+            self.lost.push("a specularGlossinessTexture, of which the mean is used".to_owned());
+            if let Some(means) = self.means(info, "1 is used")? {
+                specular *= means.light;
+                glossiness *= means.alpha;
+            }
+        }
+        let specular = specular.clamp(DVec3::ZERO, DVec3::ONE);
+        let roughness = 1.0 - glossiness.clamp(0.0, 1.0);
+        let albedo = (1.0 - specular.max_element()) * diffuse;
+        if specular.max_element() <= 2.0 * DIELECTRIC && roughness >= ROUGH {
+            return Ok((diffuse, Bsdf::Diffuse));
+        }
+        self.lost.push("KHR_materials_pbrSpecularGlossiness, shown by the nearest".to_owned());
+        if specular == DVec3::ZERO {
+            return Ok((diffuse, Bsdf::Diffuse));
+        }
+        if albedo == DVec3::ZERO && roughness < SMOOTH {
+            return Ok((DVec3::ZERO, Bsdf::Mirror { specular: normalise::round(specular) }));
+        }
+        Ok((albedo, phong(specular, roughness)))
     }
 
     fn metalness_and_roughness(&mut self) -> Result<[f64; 2], SceneError> {
@@ -142,8 +179,7 @@ impl Reader<'_> {
 
     /// The mean of the base colour's texture.
     fn mean_base(&mut self) -> Result<DVec3, SceneError> {
-        let base = &self.json.pbr_metallic_roughness.base_color_texture;
-        let Some(info) = base else { return Ok(DVec3::ONE) };
+        let Some(info) = self.json.base_texture() else { return Ok(DVec3::ONE) };
         self.lost.push("a texture on what it mirrors, of which the mean is used".to_owned());
         let means = self.means(info, "magenta is shown")?;
         Ok(means.map_or(DVec3::new(1.0, 0.0, 1.0), |means| means.light))
@@ -183,7 +219,7 @@ impl Reader<'_> {
             false => 0.0,
         };
         let blends = self.json.alpha_mode.as_deref() == Some("BLEND");
-        let base = self.json.pbr_metallic_roughness.base_color_texture.as_ref();
+        let base = self.json.base_texture();
         let varies = match base {
             None => false,
             Some(info) => {
@@ -214,7 +250,8 @@ impl Reader<'_> {
 
     /// A number of an extension.
     fn extension(&self, extension: &str, key: &str, default: f64) -> Result<f64, SceneError> {
-        let value = self.json.extensions.get(extension).and_then(|extension| extension.get(key));
+        let value =
+            self.json.extensions.others.get(extension).and_then(|extension| extension.get(key));
         value.map_or(Some(default), Value::as_f64).ok_or_else(|| {
             let name = &self.name;
             self.source.fault(format!("material `{name}`: {key} is no number; export it again"))
@@ -227,7 +264,15 @@ impl Reader<'_> {
             self.lost.push("a normalTexture".to_owned());
         }
         let known = [STRENGTH, TRANSMISSION, IOR];
-        let unknown = self.json.extensions.keys().filter(|name| !known.contains(&name.as_str()));
+        let unknown =
+            self.json.extensions.others.keys().filter(|name| !known.contains(&name.as_str()));
         self.lost.extend(unknown.cloned());
     }
+}
+
+/// A lobe as wide as the highlight of this roughness.
+fn phong(specular: DVec3, roughness: f64) -> Bsdf {
+    let alpha = (roughness * roughness).max(1e-6);
+    let shininess = (2.0 / (alpha * alpha) - 2.0).clamp(0.0, MOST_SHININESS) as f32;
+    Bsdf::Phong { specular: normalise::round(specular), shininess }
 }

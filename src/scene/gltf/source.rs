@@ -6,19 +6,12 @@ use std::path::{Path, PathBuf};
 
 use base64::Engine as _;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
+use encoding_rs::UTF_8;
 
 use super::json::{Buffer, Document};
+use super::{extensions, lenient};
 use crate::scene::SceneError;
-
-/// Extensions whose meaning is known, or that concern nothing that is rendered.
-const SUPPORTED: [&str; 6] = [
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",
-    "KHR_materials_transmission",
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
-];
+use crate::scene::names::{self, Found};
 
 /// Some writers leave out base64's padding.
 const BASE64: GeneralPurpose = GeneralPurpose::new(
@@ -34,6 +27,8 @@ pub struct Source {
     pub path: PathBuf,
     pub document: Document,
     buffers: Vec<Vec<u8>>,
+    /// What was read otherwise than it stands.
+    pub notes: Vec<String>,
 }
 
 impl Source {
@@ -50,15 +45,20 @@ impl Source {
             }
             false => (&bytes[..], None),
         };
-        let document = parse(path, json)?;
-        let mut source = Self { path: path.to_owned(), document, buffers: Vec::new() };
+        let mut notes = Vec::new();
+        let document = parse(path, json, &mut notes)?;
+        let (buffers, of_buffers) = (Vec::new(), Vec::new());
+        let mut source = Self { path: path.to_owned(), document, buffers, notes: of_buffers };
         source.check_version()?;
-        source.check_extensions()?;
+        if let Some(what) = extensions::refused(&source.document) {
+            return Err(source.fault(what));
+        }
         for (index, buffer) in source.document.buffers.iter().enumerate() {
             // Only the first buffer may be the GLB's own.
-            let bytes = source.buffer(index, buffer, binary.take())?;
+            let bytes = source.buffer(index, buffer, binary.take(), &mut notes)?;
             source.buffers.push(bytes);
         }
+        source.notes = notes;
         Ok(source)
     }
 
@@ -106,22 +106,12 @@ impl Source {
         let version = asset.min_version.as_ref().unwrap_or(&asset.version);
         let known = match asset.min_version {
             Some(_) => version == "2.0",
-            None => version.starts_with("2."),
+            None => version == "2" || version.starts_with("2."),
         };
         if known {
             return Ok(());
         }
         Err(self.fault(format!("needs glTF version {version:?}; export it as glTF 2.0")))
-    }
-
-    fn check_extensions(&self) -> Result<(), SceneError> {
-        let required = &self.document.extensions_required;
-        match required.iter().find(|name| !SUPPORTED.contains(&name.as_str())) {
-            Some(name) => Err(self.fault(format!(
-                "requires the extension {name}, which is not supported; export it without"
-            ))),
-            None => Ok(()),
-        }
     }
 
     /// The bytes of a buffer: the GLB's own, a data URI's, or those of a file beside this one.
@@ -130,13 +120,18 @@ impl Source {
         index: usize,
         buffer: &Buffer,
         binary: Option<&[u8]>,
+        notes: &mut Vec<String>,
     ) -> Result<Vec<u8>, SceneError> {
         let fault = |what: String| self.fault(format!("buffer {index}: {what}"));
         let Buffer { uri, byte_length } = buffer;
         let mut bytes = match (uri, binary) {
             (Some(uri), _) => match uri.strip_prefix("data:") {
                 Some(data) => Self::decode(data).map_err(fault)?,
-                None => self.read_beside(uri, *byte_length).map_err(fault)?,
+                None => {
+                    let (bytes, note) = self.read_beside(uri, *byte_length).map_err(fault)?;
+                    notes.extend(note);
+                    bytes
+                }
             },
             (None, Some(binary)) => binary.to_vec(),
             (None, None) => {
@@ -154,28 +149,30 @@ impl Source {
     }
 
     /// At most `length` bytes of a file.
-    fn read_beside(&self, uri: &str, length: usize) -> Result<Vec<u8>, String> {
-        let path = self.beside(uri)?;
+    fn read_beside(&self, uri: &str, length: usize) -> Result<(Vec<u8>, Option<String>), String> {
+        let Found { path, note } = self.beside(uri)?;
         let read = || {
             let mut bytes = Vec::new();
             File::open(&path)?.take(length as u64).read_to_end(&mut bytes)?;
             Ok(bytes)
         };
-        read().map_err(|error: std::io::Error| {
+        let bytes = read().map_err(|error: std::io::Error| {
             format!("cannot read {}: {error}; check its rights", path.display())
-        })
+        })?;
+        Ok((bytes, note))
     }
 
     /// The file that a URI names.
-    pub fn beside(&self, uri: &str) -> Result<PathBuf, String> {
-        if uri.contains("://") || uri.starts_with("file:") {
+    pub fn beside(&self, uri: &str) -> Result<Found, String> {
+        if uri.contains("://") && !uri.starts_with("file:") {
             return Err(format!("{uri} is not beside this file; download it and export again"));
         }
         let directory = self.path.parent().unwrap_or(Path::new(""));
         // Most writers escape blanks and the like, some do not.
-        let names = [uri.to_owned(), unescape(uri)];
-        let path = names.iter().map(|name| directory.join(name)).find(|path| path.is_file());
-        path.ok_or_else(|| {
+        let plain = unescape(uri);
+        let raw = Some(directory.join(uri)).filter(|path| path.is_file());
+        let raw = raw.map(|path| Found { path, note: None });
+        raw.or_else(|| names::find(directory, &plain, UTF_8).ok()).ok_or_else(|| {
             format!("{} is not there; put it beside this file", directory.join(uri).display())
         })
     }
@@ -198,16 +195,24 @@ fn is_named_glb(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("glb"))
 }
 
-/// Reads the JSON. The parser bounds its own depth.
-fn parse(path: &Path, json: &[u8]) -> Result<Document, SceneError> {
+/// Reads the JSON, by its sense where not by the letter, which is a note. The parser bounds its own
+/// depth.
+fn parse(path: &Path, json: &[u8], notes: &mut Vec<String>) -> Result<Document, SceneError> {
     let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
-    serde_json::from_slice(json).map_err(|error| {
-        let what = format!("no valid glTF: {error}; export it again");
-        match error.line() {
-            line if line > 0 && !is_named_glb(path) => SceneError::at(path, line, what),
-            _ => SceneError::new(path, what),
-        }
-    })
+    let end = json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
+    let error = match serde_json::from_slice(&json[..end]) {
+        Ok(document) => return Ok(document),
+        Err(error) => error,
+    };
+    if let Some(document) = lenient::read(json) {
+        notes.push(format!("is no strict glTF ({error}); read by its sense"));
+        return Ok(document);
+    }
+    let what = format!("no valid glTF: {error}; export it again");
+    match error.line() {
+        line if line > 0 && !is_named_glb(path) => Err(SceneError::at(path, line, what)),
+        _ => Err(SceneError::new(path, what)),
+    }
 }
 
 /// The JSON chunk of a GLB, and the binary one where there is one.
@@ -225,8 +230,8 @@ fn split_glb(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     if kind != *b"JSON" {
         return Err("a GLB that does not begin with its JSON; export it again".to_owned());
     }
-    // A chunk of another kind is an extension's.
-    while !rest.is_empty() {
+    // A chunk of another kind is an extension's; what is too short for one pads the file.
+    while !rest.iter().all(|&byte| byte == 0 || byte == b' ') {
         let (kind, content, after) = chunk(rest)?;
         if kind == *b"BIN\0" {
             return Ok((json, Some(content)));

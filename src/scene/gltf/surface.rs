@@ -1,6 +1,6 @@
 //! The triangles of the meshes.
 
-use glam::{DAffine3, DVec3, Vec2};
+use glam::{DAffine3, DVec3, Vec2, Vec3};
 
 use super::accessor::Accessor;
 use super::json::{Node, Primitive};
@@ -18,7 +18,8 @@ pub struct Surfaces<'a> {
     source: &'a Source,
     pub triangles: Vec<Triangle>,
     without_surface: u64,
-    coloured: u64,
+    clear: u64,
+    smooth: u64,
     deformed: u64,
     unplaced: u64,
 }
@@ -29,7 +30,8 @@ impl<'a> Surfaces<'a> {
             source,
             triangles: Vec::new(),
             without_surface: 0,
-            coloured: 0,
+            clear: 0,
+            smooth: 0,
             deformed: 0,
             unplaced: 0,
         }
@@ -72,31 +74,48 @@ impl<'a> Surfaces<'a> {
             )));
         }
         let coordinates = self.coordinates(primitive)?;
-        let vertex = |element: usize| {
-            let element = indices.as_ref().map_or(Ok(element), |indices| indices.index(element))?;
+        let colors = primitive.attributes.get("COLOR_0");
+        let colors = colors.map(|&colors| Accessor::colours(self.source, colors)).transpose()?;
+        // Normals that cannot be read are as good as none: they are not shown.
+        let normals = primitive.attributes.get("NORMAL");
+        let normals = normals.and_then(|&normals| Accessor::positions(self.source, normals).ok());
+        let element =
+            |corner: usize| indices.as_ref().map_or(Ok(corner), |indices| indices.index(corner));
+        let vertex = |corner: usize| {
+            let element = element(corner)?;
+            let color = match &colors {
+                Some(colors) => colors.vector(element)?.as_vec3(),
+                None => Vec3::ONE,
+            };
             let uv = match &coordinates {
                 Some((coordinates, layout)) => {
                     layout.place(coordinates.vector(element)?.truncate())
                 }
                 None => Vec2::ZERO,
             };
-            Ok((self.finite(transform.transform_point3(positions.vector(element)?))?, uv))
+            let position = self.finite(transform.transform_point3(positions.vector(element)?))?;
+            Ok((position, uv, color))
         };
+        let normal = |corner: usize| normals.as_ref()?.vector(element(corner).ok()?).ok();
+        let mut smooth = false;
         let mirrored = transform.matrix3.determinant() < 0.0;
         let mut triangles = Vec::new();
         for triangle in 0..corners.len() {
             let [a, b, c] = corners.of(triangle);
             // A mirrored mesh keeps its front.
             let [b, c] = if mirrored { [c, b] } else { [b, c] };
+            smooth = smooth || differ([normal(a), normal(b), normal(c)]);
             let [a, b, c] = [vertex(a)?, vertex(b)?, vertex(c)?];
             triangles.push(Triangle {
                 corners: [a.0, b.0, c.0],
                 uvs: [a.1, b.1, c.1],
+                colors: [a.2, b.2, c.2],
                 material: primitive.material,
             });
         }
         self.triangles.append(&mut triangles);
-        self.coloured += u64::from(self.is_coloured(primitive)?);
+        self.smooth += u64::from(smooth);
+        self.clear += u64::from(colors.is_some_and(|colors| is_clear(&colors)));
         Ok(())
     }
 
@@ -142,26 +161,15 @@ impl<'a> Surfaces<'a> {
         }))
     }
 
-    /// Whether vertices have colours other than white.
-    fn is_coloured(&self, primitive: &Primitive) -> Result<bool, SceneError> {
-        let Some(&colours) = primitive.attributes.get("COLOR_0") else { return Ok(false) };
-        let colours = Accessor::colours(self.source, colours)?;
-        for element in 0..colours.count {
-            if colours.vector(element)? != DVec3::ONE {
-                return Ok(true);
-            }
-        }
-        Ok(false)
-    }
-
     /// What was left out.
     pub fn warnings(&self) -> Vec<Warning> {
         let some = |count: u64, what: &str| {
             (count > 0).then(|| self.source.says(&format!("{count} {what}")))
         };
         let points = some(self.without_surface, "sets of points or lines are left out");
-        let colours =
-            some(self.coloured, "meshes have colours at their vertices, which are left out");
+        let clear = some(self.clear, "meshes have colours with an alpha, which is left out");
+        let smooth =
+            some(self.smooth, "meshes have normals of smooth surfaces; they are shown flat");
         let deformed = some(
             self.deformed,
             "meshes have a skin or morph targets, not supported yet; undeformed",
@@ -170,9 +178,21 @@ impl<'a> Surfaces<'a> {
             self.unplaced,
             "meshes lack the texture coordinates that their materials ask for; 0 is used",
         );
-        let changed = [colours, deformed, unplaced].into_iter().flatten().map(Warning::changed);
+        let changed =
+            [clear, smooth, deformed, unplaced].into_iter().flatten().map(Warning::changed);
         points.map(Warning::note).into_iter().chain(changed).collect()
     }
+}
+
+/// Whether the normals of a triangle's corners, where they are known, are not the same.
+fn differ(normals: [Option<DVec3>; 3]) -> bool {
+    let [Some(a), Some(b), Some(c)] = normals else { return false };
+    a.distance(b).max(a.distance(c)) > 1e-3
+}
+
+/// Whether colours have an alpha below 1.
+fn is_clear(colors: &Accessor) -> bool {
+    (0..colors.count).any(|element| colors.alpha(element).is_ok_and(|alpha| alpha < 1.0))
 }
 
 /// So many triangles of consecutive vertices.

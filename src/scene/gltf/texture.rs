@@ -8,6 +8,7 @@ use glam::{DMat2, DVec2, Vec2};
 
 use super::json::{Material, TextureInfo, TextureTransform};
 use super::source::Source;
+use crate::scene::names::Found;
 use crate::scene::texture::{Filter, Interpolation, Part, read_image};
 use crate::scene::{Draft, Origin, SceneError, Texture, Wrap};
 
@@ -23,7 +24,7 @@ pub struct Layout {
 impl Layout {
     /// That of a material's base colour, or else of its emission; none if it has no texture.
     pub fn of(material: &Material) -> Option<Self> {
-        let base = material.pbr_metallic_roughness.base_color_texture.as_ref();
+        let base = material.base_texture();
         let info = base.or(material.emissive_texture.as_ref())?;
         let transform = info.transform();
         let turn = linear(&transform);
@@ -61,6 +62,8 @@ fn linear(transform: &TextureTransform) -> DMat2 {
 pub struct Image<'a> {
     /// Its file, or the file and the part that hold it.
     pub path: PathBuf,
+    /// That it is another file than is named, if it is.
+    pub note: Option<String>,
     bytes: Bytes<'a>,
 }
 
@@ -79,9 +82,11 @@ impl<'a> Image<'a> {
         let document = &source.document;
         let texture = source.item(&document.textures, "texture", info.index)?;
         let part = |part: String| PathBuf::from(source.says(&part));
-        let Some(index) = texture.source else {
+        let webp = texture.extensions.webp.as_ref().map(|of_webp| of_webp.source);
+        let Some(index) = webp.or(texture.source) else {
             let path = part(format!("texture {}", info.index));
-            return Ok(Self { path, bytes: Bytes::Not("has no PNG or JPEG".to_owned()) });
+            let bytes = Bytes::Not("has no PNG or JPEG".to_owned());
+            return Ok(Self { path, note: None, bytes });
         };
         let image = source.item(&document.images, "image", index)?;
         let path = part(format!("image {index}"));
@@ -89,14 +94,16 @@ impl<'a> Image<'a> {
             (Some(uri), _) => match uri.strip_prefix("data:") {
                 Some(data) => Bytes::Data(data),
                 None => match source.beside(uri) {
-                    Ok(path) => return Ok(Self { path, bytes: Bytes::File }),
+                    Ok(Found { path, note }) => {
+                        return Ok(Self { path, note, bytes: Bytes::File });
+                    }
                     Err(what) => Bytes::Not(format!("cannot be read: {what}")),
                 },
             },
             (None, Some(view)) => Bytes::Held(source.view(view)?.0),
             (None, None) => Bytes::Not("has neither a URI nor a buffer view".to_owned()),
         };
-        Ok(Self { path, bytes })
+        Ok(Self { path, note: None, bytes })
     }
 
     /// The bytes of its file.
@@ -125,6 +132,8 @@ pub fn add(
     let (scale, skew) =
         (DVec2::new(placed.x_axis.x, placed.y_axis.y), [placed.x_axis.y, placed.y_axis.x]);
     let origin = Origin::file(&source.path);
+    let note = image.note.as_ref().map(|note| origin.note(note));
+    draft.warnings.extend(note.filter(|note| !draft.warnings.contains(note)));
     let image = draft.image(&image.path, part, &origin, || image.read());
     let offset = DVec2::from_array(transform.offset);
     let (laid, offset) = (scale.as_vec2(), offset.as_vec2());
@@ -150,13 +159,15 @@ fn sampling(source: &Source, info: &TextureInfo) -> Result<([Wrap; 2], Filter), 
     };
     let wrap = |code: Option<u32>| match code {
         None | Some(10497) => Ok(Wrap::Repeat),
-        Some(33071) => Ok(Wrap::Clamp),
+        // Also what OpenGL had before, whose borders are seen by nobody.
+        Some(33071 | 10496 | 33069) => Ok(Wrap::Clamp),
         Some(33648) => Ok(Wrap::Mirror),
         Some(code) => Err(unknown("wraps", code)),
     };
     let magnified = match sampler.mag_filter {
-        None | Some(9729) => Interpolation::Linear,
-        Some(9728) => Interpolation::Nearest,
+        // Also what only minifies.
+        None | Some(9729 | 9985 | 9987) => Interpolation::Linear,
+        Some(9728 | 9984 | 9986) => Interpolation::Nearest,
         Some(code) => return Err(unknown("magnifies", code)),
     };
     // Whether mip levels are blended or not: the mean of several lookups is taken, which is better.

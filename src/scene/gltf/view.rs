@@ -89,13 +89,18 @@ impl View {
         transform: DAffine3,
     ) -> Result<(), SceneError> {
         let lights = &source.document.extensions.lights.lights;
-        let Light { name, kind, color, intensity, spot } = source.item(lights, "light", index)?;
+        let Light { name, kind, color, intensity, spot, range } =
+            source.item(lights, "light", index)?;
         let name = name.clone().unwrap_or_else(|| index.to_string());
         let color = color.map_or(DVec3::ONE, DVec3::from_array);
         let power = color * intensity.unwrap_or(1.0);
         if !normalise::is_power(power) {
             let what = format!("light `{name}`: its intensity is negative, or beyond f32");
             return Err(source.fault(what + "; give one of 0 or more"));
+        }
+        if range.is_some() {
+            let what = format!("light `{name}` has a range, which is left out: its light goes on");
+            self.warnings.push(Warning::note(source.says(&what)));
         }
         let position = transform.translation;
         let direction = transform.transform_vector3(-DVec3::Z);

@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use encoding_rs::{Encoding, UTF_8};
 use glam::DVec2;
 
 use super::statement::Statement;
-use crate::scene::{SceneError, Texture, Wrap};
+use crate::scene::{Origin, SceneError, Texture, Warning, Wrap, names};
 
 /// An image, and how it is laid on.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,14 +135,29 @@ impl Map {
         }
     }
 
-    /// The image's file, from the library that names it: as it is written, without a comment,
-    /// with `/` for `\`.
-    pub fn path(&self, library: &Path) -> PathBuf {
+    /// The image's file, from the library that names it; a comment may follow the name, or be part of
+    /// it. Where another file is meant than is named, that is a note.
+    pub fn path(
+        &self,
+        library: &Path,
+        encoding: Option<&'static Encoding>,
+        warnings: &mut Vec<Warning>,
+    ) -> PathBuf {
         let directory = library.parent().unwrap_or(Path::new(""));
-        let plain = without_comment(&self.file);
-        let written = [&self.file, plain].map(|name| directory.join(name));
-        let slashed = directory.join(plain.replace('\\', "/"));
-        written.into_iter().find(|path| path.is_file()).unwrap_or(slashed)
+        let whole = directory.join(&self.file);
+        if whole.is_file() {
+            return whole;
+        }
+        let name = without_comment(&self.file);
+        match names::find(directory, name, encoding.unwrap_or(UTF_8)) {
+            Ok(found) => {
+                let origin = Origin::line(library, self.line);
+                let note = found.note.map(|note| origin.note(note));
+                warnings.extend(note.filter(|note| !warnings.contains(note)));
+                found.path
+            }
+            Err(path) => path,
+        }
     }
 
     /// The texture of the image, whose coordinates are from the top left.

@@ -25,9 +25,11 @@ impl Statement<'_> {
         self.keyword.to_ascii_lowercase()
     }
 
+    /// A number; some writers have a comma for the point.
     pub fn number(&self, index: usize) -> Result<f64, SceneError> {
         let word = self.words.get(index).copied().unwrap_or_default();
-        let number = word.parse().ok().filter(|x: &f64| x.is_finite());
+        let number = word.parse().or_else(|_| word.replacen(',', ".", 1).parse());
+        let number = number.ok().filter(|x: &f64| x.is_finite());
         number.ok_or_else(|| self.fault("is followed by no number"))
     }
 

@@ -1,18 +1,19 @@
-//! What a material of MTL looks like.
+//! What a material of MTL looks like, its [kind](super::kind) known.
 //!
-//! Its kind is told by `illum`, `d` and `Ks`. Of what light a glass lets on, `Tf` is the share
-//! where it is given and not black: files hold black or no `Ks` for glass that is clear.
+//! Of what light a glass lets on, `Tf` is the share where it is neither 0 nor 1; else it is that of
+//! what is half transparent: 1 - d (1 - Kd). Files hold black or no `Ks` for glass that is clear.
 
 use glam::DVec3;
 
+use super::faults::Faults;
+use super::kind::{Kind, is_partial};
 use super::map::Map;
 use super::material::MtlMaterial;
+use super::omitted::{self, OMITTED};
 use crate::scene::mesh::DEFAULT_ALBEDO;
+use crate::scene::omission::Omission;
 use crate::scene::texture::{Part, read_image};
 use crate::scene::{Bsdf, Draft, DraftMaterial, Origin, SceneError, Warning, normalise};
-
-/// Exponent from which on a highlight is a mirror's.
-const MIRROR_SHININESS: f64 = 1000.0;
 
 /// The largest exponent that can be rendered.
 const MOST_SHININESS: f64 = 1e6;
@@ -20,47 +21,37 @@ const MOST_SHININESS: f64 = 1e6;
 /// Index of refraction of what gives none, or none that can be.
 const DEFAULT_REFRACTION: f64 = 1.5;
 
-/// How light leaves a surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Diffuse,
-    Phong,
-    Mirror,
-    Glass,
-}
-
-/// What a reading of a material found fault with.
-#[derive(Debug, Default)]
-struct Faults {
-    changes: Vec<String>,
-    notes: Vec<String>,
-}
-
 impl MtlMaterial {
     /// Adds the material and its textures, with one warning about what of it is not shown.
     pub fn add_to(&self, draft: &mut Draft) -> Result<u32, SceneError> {
         let mut faults = Faults::default();
-        let kind = self.kind();
-        let (albedo, bsdf) = self.reflection(kind, &mut faults);
+        let kind = self.kind(&mut faults);
+        let tint = match kind {
+            Kind::Glass(opacity) => self.tint(opacity, draft, &mut faults),
+            _ => DVec3::ONE,
+        };
+        let (albedo, bsdf) = self.reflection(kind, tint, &mut faults);
         let emission = self.emission.filter(|&e| self.emission_map.is_none() || e != DVec3::ZERO);
         let unlit = if self.emission_map.is_some() { DVec3::ONE } else { DVec3::ZERO };
         if self.emission == Some(DVec3::ZERO) && self.emission_map.is_some() {
             faults.notes.push("has a map_Ke over a Ke of 0, read as 1".to_owned());
         }
         let specular = bsdf.is_specular();
-        if specular && self.diffuse_map.is_some() {
-            faults.changes.push("has a map_Kd, not shown by mirrors and glass".to_owned());
+        if kind == Kind::Mirror && self.diffuse_map.is_some() {
+            faults.changes.push("has a map_Kd, not shown by mirrors".to_owned());
         }
-        if !self.other_maps.is_empty() {
-            let maps = self.other_maps.join(", ");
-            faults.changes.push(format!("has {maps}, not shown"));
+        self.name_omitted(&mut faults);
+        let diffuse_map = self.diffuse_map.as_ref().filter(|_| !specular);
+        let texture = diffuse_map.map(|map| self.texture(draft, map, Part::Color));
+        if texture.is_some_and(|texture| draft.has_holes(texture)) && self.opacity_map.is_none() {
+            let what = format!("has a map_Kd with alpha, {}", OMITTED[omitted::ALPHA].instead);
+            faults.notes.push(what);
         }
         draft.warnings.extend(self.warning(faults));
-        let diffuse_map = self.diffuse_map.as_ref().filter(|_| !specular);
         let material = DraftMaterial {
             name: self.name.clone(),
             albedo,
-            texture: diffuse_map.map(|map| self.texture(draft, map, Part::Color)),
+            texture,
             cutout: self.opacity_map.as_ref().map(|map| self.texture(draft, map, Part::Opacity)),
             bsdf,
             emission: emission.unwrap_or(unlit),
@@ -74,26 +65,62 @@ impl MtlMaterial {
         draft.add_material(material)
     }
 
-    fn kind(&self) -> Kind {
-        let opacity = self.dissolve.unwrap_or(1.0 - self.transparency);
-        let illumination = self.illumination;
-        let black = self.diffuse.unwrap_or_default() == DVec3::ZERO && self.diffuse_map.is_none();
-        let see_through = opacity < 1.0 && self.opacity_map.is_none();
-        if [4.0, 6.0, 7.0, 9.0].contains(&illumination) || see_through {
-            Kind::Glass
-        } else if self.specular == DVec3::ZERO {
-            Kind::Diffuse
-        } else if [3.0, 5.0].contains(&illumination)
-            && (black || self.shininess >= MIRROR_SHININESS)
-        {
-            Kind::Mirror
-        } else {
-            Kind::Phong
+    /// Names the statements that are not shown, a row of the list at a time.
+    fn name_omitted(&self, faults: &mut Faults) {
+        for (row, Omission { instead, changes_image, .. }) in OMITTED.iter().enumerate() {
+            let of_row = self.omitted.iter().filter(|(of, _)| *of == row);
+            let statements: Vec<&str> = of_row.map(|(_, statement)| statement.as_str()).collect();
+            if !statements.is_empty() {
+                let list = if *changes_image { &mut faults.changes } else { &mut faults.notes };
+                list.push(format!("has {}, {instead}", statements.join(", ")));
+            }
         }
     }
 
+    /// That it is left out, if another of its name came before.
+    pub fn as_second(&self) -> Option<Warning> {
+        let what =
+            format!("a second material `{}`, {}", self.name, OMITTED[omitted::SECOND].instead);
+        self.again.then(|| Origin::line(&self.file, self.line).note(what))
+    }
+
+    /// Whether a map gives its colour.
+    pub fn is_textured(&self) -> bool {
+        self.diffuse_map.is_some()
+    }
+
+    /// What of the light a glass lets on; a colour that has no part in it is named.
+    fn tint(&self, opacity: f64, draft: &mut Draft, faults: &mut Faults) -> DVec3 {
+        if let Some(tint) = self.transmission.filter(|&tint| is_partial(tint)) {
+            if self.has_colour() {
+                faults.changes.push("has a Kd or map_Kd, not shown by a glass of a Tf".to_owned());
+            }
+            return tint;
+        }
+        if !self.has_colour() {
+            return DVec3::ONE;
+        }
+        if opacity <= 0.0 {
+            faults.notes.push("has a Kd, not shown by clear glass".to_owned());
+            return DVec3::ONE;
+        }
+        let mean = match &self.diffuse_map {
+            None => DVec3::ONE,
+            Some(map) => {
+                let what = "has a map_Kd on what is half transparent, of which the mean is used";
+                faults.changes.push(what.to_owned());
+                let path = map.path(&self.file, self.encoding, &mut draft.warnings);
+                let origin = Origin::line(&self.file, map.line);
+                let means = draft.image_means(&path, &origin, "1 is used", || read_image(&path));
+                means.map_or(DVec3::ONE, |means| means.light)
+            }
+        };
+        let colour = (self.albedo() * mean).clamp(DVec3::ZERO, DVec3::ONE);
+        DVec3::ONE - opacity * (DVec3::ONE - colour)
+    }
+
     /// Albedo and BSDF, made to reflect no more than they receive.
-    fn reflection(&self, kind: Kind, faults: &mut Faults) -> (DVec3, Bsdf) {
+    fn reflection(&self, kind: Kind, tint: DVec3, faults: &mut Faults) -> (DVec3, Bsdf) {
         let mut within = |what: &str, sum: DVec3| {
             let most = sum.max_element();
             if most <= 1.0 {
@@ -113,9 +140,7 @@ impl MtlMaterial {
                 let specular = normalise::round(scaled(self.specular, by));
                 (DVec3::ZERO, Bsdf::Mirror { specular })
             }
-            Kind::Glass => {
-                let tint = self.transmission.filter(|&tint| tint != DVec3::ZERO);
-                let tint = tint.unwrap_or(DVec3::ONE);
+            Kind::Glass(_) => {
                 let by = within("Tf", tint);
                 let specular = normalise::round(scaled(tint, by));
                 let given = self.refraction.unwrap_or(DEFAULT_REFRACTION);
@@ -126,9 +151,9 @@ impl MtlMaterial {
                 let ior = if possible { given } else { DEFAULT_REFRACTION } as f32;
                 (DVec3::ZERO, Bsdf::Glass { specular, ior })
             }
-            Kind::Phong => {
-                let by = within("Kd + Ks", self.albedo() + self.specular);
-                let specular = normalise::round(scaled(self.specular, by));
+            Kind::Phong(specular) => {
+                let by = within("Kd + Ks", self.albedo() + specular);
+                let specular = normalise::round(scaled(specular, by));
                 let shininess = self.shininess.clamp(0.0, MOST_SHININESS) as f32;
                 let albedo = scaled(self.albedo(), by);
                 self.note_albedo(faults);
@@ -173,7 +198,7 @@ impl MtlMaterial {
             let what = format!("{keyword} has {options}, not supported; left out");
             draft.warnings.push(origin.changed(what));
         }
-        let path = map.path(&self.file);
+        let path = map.path(&self.file, self.encoding, &mut draft.warnings);
         let image = draft.image(&path, part, &origin, || read_image(&path));
         draft.add_texture(map.texture(image))
     }

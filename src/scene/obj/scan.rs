@@ -2,12 +2,18 @@
 //! texture coordinates, and leaves to `tobj` a plain text it cannot misread: positions,
 //! polygons of absolute indices, and materials by number, line for line as in the file.
 
+mod face;
+
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use glam::{DVec2, Vec2};
+use glam::{DVec2, Vec2, Vec3};
 
+use super::colors::Colors;
+use super::logical::statements;
+use super::omitted::{self, Omitted};
+use crate::scene::omission::Tally;
 use crate::scene::{SceneError, Warning};
 
 /// A name, and the line that first gives it.
@@ -31,6 +37,8 @@ pub struct Scan {
     /// Of each corner of the faces that `text` holds, the number of its texture coordinates,
     /// counted from 1; 0 if it has none.
     corners: Vec<u32>,
+    /// The colours of the corners.
+    colors: Colors,
     pub warnings: Vec<Warning>,
     /// The first line of points, of a line, or of a face of fewer than three corners.
     pub without_surface: Option<usize>,
@@ -45,6 +53,11 @@ impl Scan {
             uv.map_or(Vec2::ZERO, |uv| DVec2::new(uv.x, 1.0 - uv.y).as_vec2())
         })
     }
+
+    /// The colours of all corners of faces, linear; white of those that have none.
+    pub fn corner_colors(&self) -> impl Iterator<Item = Vec3> + '_ {
+        self.colors.of_corners(self.corners.len())
+    }
 }
 
 /// Checks an OBJ file.
@@ -57,40 +70,20 @@ pub fn scan(file: &Path, text: &str) -> Result<Scan, SceneError> {
         last_index: Last::default(),
         last_coordinates: Last::default(),
         index_of: HashMap::new(),
-        no_surface: Tally::default(),
-        free_form: Tally::default(),
+        normals: Vec::new(),
+        smooth: false,
+        omitted: Omitted::default(),
+        missing_coordinates: Tally::default(),
+        commas: Tally::default(),
         homogeneous: Tally::default(),
         no_coordinates: Tally::default(),
     };
-    let mut lines = (1..).zip(text.lines());
-    while let Some((line, first)) = lines.next() {
-        let mut content = first.to_owned();
-        let mut line_ends = 1;
-        while content.ends_with('\\') {
-            content.pop();
-            let Some((_, next)) = lines.next() else { break };
-            content.push_str(next);
-            line_ends += 1;
-        }
+    for (line, content, lines) in statements(text) {
         scanner.line = line;
         scanner.statement(&content)?;
-        (0..line_ends).for_each(|_| scanner.scan.text.push('\n'));
+        (0..lines).for_each(|_| scanner.scan.text.push('\n'));
     }
     scanner.finish()
-}
-
-/// How often something occurs, and the line where it does first.
-#[derive(Debug, Default)]
-struct Tally {
-    count: u64,
-    first: usize,
-}
-
-impl Tally {
-    fn add(&mut self, line: usize) {
-        self.first = if self.count == 0 { line } else { self.first };
-        self.count += 1;
-    }
 }
 
 /// The largest index that a face uses, and its line: faces may come before what they name.
@@ -114,8 +107,13 @@ struct Scanner<'a> {
     last_index: Last,
     last_coordinates: Last,
     index_of: HashMap<String, usize>,
-    no_surface: Tally,
-    free_form: Tally,
+    /// As they stand; what is no number is 0.
+    normals: Vec<Vec3>,
+    /// Whether a smoothing group is on.
+    smooth: bool,
+    omitted: Omitted,
+    missing_coordinates: Tally,
+    commas: Tally,
     homogeneous: Tally,
     no_coordinates: Tally,
 }
@@ -128,52 +126,67 @@ impl Scanner<'_> {
     /// Checks one statement and appends its plain form, without the line's end.
     fn statement(&mut self, content: &str) -> Result<(), SceneError> {
         let content = content.trim();
+        if content.starts_with("#MRGB") {
+            self.omitted.add(omitted::POLYPAINT, self.line);
+        }
         let mut words = content.split_whitespace().take_while(|word| !word.starts_with('#'));
         let Some(keyword) = words.next() else { return Ok(()) };
         // Names may hold blanks and '#'.
         let name = content[keyword.len()..].trim();
         match keyword {
-            "v" => self.vertex(&words.collect::<Vec<_>>()),
-            "vt" => {
-                self.coordinates(words);
-                Ok(())
-            }
-            "f" => self.face(&words.collect::<Vec<_>>()),
-            "p" | "l" => {
-                self.no_surface.add(self.line);
-                Ok(())
-            }
-            "surf" | "curv" => {
-                self.free_form.add(self.line);
-                Ok(())
-            }
-            "usemtl" => {
-                self.material(name);
-                Ok(())
-            }
+            "v" => self.vertex(&words.collect::<Vec<_>>())?,
+            "vt" => self.coordinates(words),
+            "vn" => self.normal(words),
+            "f" | "fo" => self.face(&words.collect::<Vec<_>>())?,
+            "s" => self.smooth = words.next().is_some_and(|word| !["off", "0"].contains(&word)),
+            "p" | "l" => self.omitted.add(omitted::NO_SURFACE, self.line),
+            "usemtl" => self.material(name),
             "mtllib" => {
                 self.scan.libraries.push(Named { name: name.to_owned(), line: self.line });
-                Ok(())
             }
-            _ => Ok(()),
+            _ => self.omitted.add_statement(keyword, name, self.line),
         }
+        Ok(())
     }
 
-    /// `v x y z`, with a weight w by which `tobj` divides, or with a colour, left out.
+    /// A number; some writers have a comma for the point.
+    fn number(&mut self, word: &str) -> Option<f64> {
+        let point = word.parse::<f64>().ok();
+        let number = point.or_else(|| {
+            let number = word.replacen(',', ".", 1).parse::<f64>().ok()?;
+            self.commas.add(self.line);
+            Some(number)
+        });
+        number.filter(|number| number.is_finite())
+    }
+
+    /// `v x y z`, with a weight w by which `tobj` divides, or with a colour and perhaps its alpha.
     fn vertex(&mut self, words: &[&str]) -> Result<(), SceneError> {
         let mut numbers = Vec::with_capacity(words.len());
         for word in words {
-            match word.parse::<f64>() {
-                Ok(number) if number.is_finite() => numbers.push(number),
-                _ => return self.fault(format!("vertex: `{word}` is not a finite number")),
+            match self.number(word) {
+                Some(number) => numbers.push(number),
+                None => return self.fault(format!("vertex: `{word}` is not a finite number")),
             }
         }
         let weight = match numbers[..] {
-            [_, _, _] | [_, _, _, _, _, _] => 1.0,
+            [_, _, _] => 1.0,
             [_, _, _, w] => w,
+            [_, _, _, r, g, b] => {
+                self.scan.colors.add(self.vertices, [r, g, b]);
+                1.0
+            }
+            [_, _, _, r, g, b, a] => {
+                self.scan.colors.add(self.vertices, [r, g, b]);
+                if a != 1.0 && a != 255.0 {
+                    self.omitted.add(omitted::ALPHA, self.line);
+                }
+                1.0
+            }
             _ => {
                 let n = numbers.len();
-                return self.fault(format!("vertex of {n} numbers; give x y z, with w or r g b"));
+                return self
+                    .fault(format!("vertex of {n} numbers; give x y z, with w, r g b or r g b a"));
             }
         };
         if numbers[..3].iter().any(|x| !(x / weight).is_finite()) {
@@ -189,66 +202,26 @@ impl Scanner<'_> {
         Ok(())
     }
 
+    fn normal<'a>(&mut self, words: impl Iterator<Item = &'a str>) {
+        let mut normal = [0.0; 3];
+        for (number, word) in normal.iter_mut().zip(words) {
+            *number = self.number(word).unwrap_or_default() as f32;
+        }
+        self.normals.push(Vec3::from_array(normal));
+    }
+
     /// `vt u`, `vt u v` or `vt u v w`. Some writers put no numbers where they have none.
     fn coordinates<'a>(&mut self, mut words: impl Iterator<Item = &'a str>) {
-        let mut next = || words.next().map_or(Some(0.0), |word| word.parse::<f64>().ok());
+        let mut next = || words.next().map_or(Some(0.0), |word| self.number(word));
         let uv = next().zip(next()).map(|(u, v)| DVec2::new(u, v));
+        if next().is_some_and(|third| third != 0.0) {
+            self.omitted.add(omitted::THIRD, self.line);
+        }
         let uv = uv.filter(|uv| uv.as_vec2().is_finite());
         if uv.is_none() {
             self.no_coordinates.add(self.line);
         }
         self.scan.coordinates.push(uv.unwrap_or_default());
-    }
-
-    /// A polygon; the indices of its normals are left out.
-    fn face(&mut self, words: &[&str]) -> Result<(), SceneError> {
-        let mut corners = Vec::with_capacity(words.len());
-        for word in words {
-            corners.push(self.corner(word)?);
-        }
-        if corners.len() < 3 {
-            self.no_surface.add(self.line);
-            return Ok(());
-        }
-        self.scan.text.push('f');
-        for (vertex, coordinates) in corners {
-            let _ = write!(self.scan.text, " {vertex}");
-            self.scan.corners.push(u32::try_from(coordinates).unwrap_or(u32::MAX));
-        }
-        Ok(())
-    }
-
-    /// The vertex of a corner such as `7`, `-1`, `7/3`, `7//2` or `7/3/2`, counted from 1, and
-    /// its texture coordinates, 0 if it has none.
-    fn corner(&mut self, word: &str) -> Result<(i64, i64), SceneError> {
-        let mut parts = word.split('/').map(|part| (part, part.parse::<i64>()));
-        let Some((_, Ok(vertex))) = parts.next() else {
-            return self.fault(format!("face: `{word}` does not begin with a vertex's number"));
-        };
-        let rest: Vec<_> = parts.collect();
-        if rest.len() > 2 || rest.iter().any(|(part, number)| number.is_err() && !part.is_empty()) {
-            return self
-                .fault(format!("face: `{word}` is not of the form v, v/vt, v//vn, v/vt/vn"));
-        }
-        let vertex = self.absolute("vertex", vertex, self.vertices)?;
-        self.last_index = self.last_index.max(vertex, self.line);
-        let Some((_, Ok(coordinates))) = rest.first() else { return Ok((vertex, 0)) };
-        let there = self.scan.coordinates.len() as i64;
-        let coordinates = self.absolute("texture coordinates", *coordinates, there)?;
-        self.last_coordinates = self.last_coordinates.max(coordinates, self.line);
-        Ok((vertex, coordinates))
-    }
-
-    /// An index counted from 1, of one that may count from the end of what is there so far.
-    fn absolute(&self, what: &str, index: i64, there: i64) -> Result<i64, SceneError> {
-        match index {
-            0 => self.fault(format!("face: {what} 0; the first is 1")),
-            1.. => Ok(index),
-            _ if index < -there => {
-                self.fault(format!("face: {what} {index}, but there are {there} so far"))
-            }
-            _ => Ok(there + 1 + index),
-        }
     }
 
     fn material(&mut self, name: &str) {
@@ -262,6 +235,10 @@ impl Scanner<'_> {
 
     fn finish(mut self) -> Result<Scan, SceneError> {
         let coordinates = self.scan.coordinates.len() as i64;
+        if coordinates == 0 && self.last_coordinates.index > 0 {
+            self.missing_coordinates.add(self.last_coordinates.line);
+            self.last_coordinates = Last::default();
+        }
         for (what, last, there) in [
             ("vertex", self.last_index, self.vertices),
             ("texture coordinates", self.last_coordinates, coordinates),
@@ -271,23 +248,27 @@ impl Scanner<'_> {
                 return self.fault(format!("face: {what} {}, but there are {there}", last.index));
             }
         }
-        let notes = [
-            (&self.no_surface, "points, lines or faces of fewer than three corners are left out"),
-            (&self.homogeneous, "vertices have a weight w; x y z are divided by it"),
-        ];
         let file = self.file.display();
         let some = |(tally, what): (&Tally, &str)| {
             let Tally { count, first } = tally;
             (*count > 0).then(|| format!("{file}:{first}: {count} {what}"))
         };
+        let notes = [
+            (&self.homogeneous, "vertices have a weight w; x y z are divided by it"),
+            (&self.commas, "numbers have a comma for the decimal point; they are read so"),
+        ];
+        let changes =
+            (&self.no_coordinates, "texture coordinates are no finite numbers; 0 is used");
         let mut warnings: Vec<Warning> =
             notes.into_iter().filter_map(some).map(Warning::note).collect();
-        let changes = [
-            (&self.free_form, "free-form curves or surfaces are left out"),
-            (&self.no_coordinates, "texture coordinates are no finite numbers; 0 is used"),
-        ];
-        warnings.extend(changes.into_iter().filter_map(some).map(Warning::changed));
-        let Tally { count, first } = self.no_surface;
-        Ok(Scan { warnings, without_surface: (count > 0).then_some(first), ..self.scan })
+        warnings.extend(some(changes).map(Warning::changed));
+        if self.missing_coordinates.count > 0 {
+            let what = "faces name texture coordinates, but the file has none; 0 is used";
+            let line = self.missing_coordinates.first;
+            warnings.push(Warning::changed(format!("{file}:{line}: {what}")));
+        }
+        warnings.extend(self.omitted.warnings(self.file));
+        let without_surface = self.omitted.without_surface();
+        Ok(Scan { warnings, without_surface, ..self.scan })
     }
 }

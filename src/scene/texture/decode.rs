@@ -1,11 +1,11 @@
-//! The bytes of image files to texels: PNG, JPEG, BMP and TGA. No bytes panic, and none take
+//! The bytes of image files to texels: PNG, JPEG, WebP, TIFF, GIF, BMP and TGA. No bytes panic, and none take
 //! more memory than a file of their length may mean.
 
 use std::io::Cursor;
 use std::path::Path;
 
 use glam::DVec3;
-use image::ImageFormat::{Bmp, Jpeg, Png, Tga};
+use image::ImageFormat::{Bmp, Gif, Jpeg, Png, Tga, Tiff, WebP};
 use image::{DynamicImage, ImageDecoder, ImageReader, Limits};
 
 use super::linear;
@@ -26,7 +26,7 @@ pub struct Decoded {
     pub size: [u32; 2],
     /// Rows from the top.
     pub rgba: Vec<[u8; 4]>,
-    /// Whether the file has an alpha channel.
+    /// Whether its alpha is not 1 all over.
     pub has_alpha: bool,
 }
 
@@ -53,7 +53,7 @@ pub fn decode(bytes: &[u8], name: &Path) -> Result<Decoded, String> {
     {
         reader.set_format(Tga);
     }
-    let Some(Png | Jpeg | Bmp | Tga) = reader.format() else {
+    let Some(Png | Jpeg | WebP | Tiff | Gif | Bmp | Tga) = reader.format() else {
         return Err("is of an unknown format; make it a PNG or JPEG".to_owned());
     };
     let mut limits = Limits::no_limits();
@@ -76,9 +76,9 @@ pub fn decode(bytes: &[u8], name: &Path) -> Result<Decoded, String> {
         return Err(format!("would take more than {MOST_BYTES} bytes; make it smaller"));
     }
     check_expansion(bytes.len(), decoder.total_bytes())?;
-    let has_alpha = decoder.color_type().has_alpha();
     let image = DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgba8();
-    let rgba = image.pixels().map(|pixel| pixel.0).collect();
+    let rgba: Vec<[u8; 4]> = image.pixels().map(|pixel| pixel.0).collect();
+    let has_alpha = rgba.iter().any(|texel| texel[3] != u8::MAX);
     Ok(Decoded { size: [width, height], rgba, has_alpha })
 }
 
@@ -87,13 +87,15 @@ impl Decoded {
     pub fn means(&self) -> Means {
         let table: Vec<f64> =
             (0..=u8::MAX).map(|value| f64::from(linear(f32::from(value) / 255.0))).collect();
-        let (mut light, mut data) = (DVec3::ZERO, DVec3::ZERO);
-        for &[r, g, b, _] in &self.rgba {
+        let (mut light, mut data, mut alpha) = (DVec3::ZERO, DVec3::ZERO, 0.0);
+        for &[r, g, b, a] in &self.rgba {
             light += DVec3::from_array([r, g, b].map(|value| table[usize::from(value)]));
             data += DVec3::from_array([r, g, b].map(f64::from));
+            alpha += f64::from(a);
         }
         let count = self.rgba.len() as f64;
-        Means { light: light / count, data: data / (255.0 * count) }
+        let of_255 = 255.0 * count;
+        Means { light: light / count, data: data / of_255, alpha: alpha / of_255 }
     }
 }
 
@@ -104,4 +106,6 @@ pub struct Means {
     pub light: DVec3,
     /// Of its channels, as numbers in [0, 1].
     pub data: DVec3,
+    /// Of its alpha, in [0, 1].
+    pub alpha: f64,
 }

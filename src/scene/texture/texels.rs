@@ -1,6 +1,6 @@
 //! Images of 8 bits a channel.
 
-use glam::{Vec3, Vec4};
+use glam::{DVec3, Vec3, Vec4};
 
 /// An image of 8 bits a channel.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -17,6 +17,16 @@ impl Texels {
     /// What stands for an image that cannot be read: visible magenta.
     pub fn magenta(name: impl Into<String>) -> Self {
         Self { name: name.into(), size: [1, 1], rgba: vec![[255, 0, 255, 255]] }
+    }
+
+    /// The mean of its colours in linear light.
+    pub fn mean(&self) -> DVec3 {
+        let table: Vec<f64> =
+            (0..=u8::MAX).map(|value| f64::from(linear(f32::from(value) / 255.0))).collect();
+        let light = |&[r, g, b, _]: &[u8; 4]| {
+            DVec3::from_array([r, g, b].map(|value| table[usize::from(value)]))
+        };
+        self.rgba.iter().map(light).sum::<DVec3>() / self.rgba.len().max(1) as f64
     }
 
     /// A texel, its colour in linear light.

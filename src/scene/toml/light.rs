@@ -1,11 +1,11 @@
 //! The `[[light]]` tables.
 
 use std::f64::consts::TAU;
-use std::path::Path;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
-use crate::scene::document::Section;
+use super::mesh::rotation;
+use crate::scene::document::{Section, Value};
 use crate::scene::{
     Draft, DraftMaterial, DraftSphere, DraftSpot, Environment, SceneError, environment, normalise,
     polygon,
@@ -24,7 +24,7 @@ const KINDS: [(&str, Kind); 7] = [
     ("quad", (&["corners", "radiance", "two_sided"], quad)),
     ("disk", (&["center", "normal", "radius", "radiance", "two_sided"], disk)),
     ("sphere", (&["center", "radius", "radiance", "two_sided"], sphere)),
-    ("environment", (&["radiance", "texture"], environment)),
+    ("environment", (&["radiance", "texture", "rotate", "scale"], environment)),
 ];
 
 /// Reads a light, the `number`th of the file.
@@ -86,6 +86,9 @@ fn environment(section: &Section, _: usize, draft: &mut Draft) -> Result<(), Sce
         return Err(section.fault("a second environment; a scene has one, add their radiances"));
     }
     let radiance = section.get("radiance").map(|radiance| radiance.power()).transpose()?;
+    let scale = section.get("scale").map_or(Ok(1.0), |scale| scale.length())?;
+    let radiance = radiance.map(|radiance| scale * radiance);
+    let turn = section.get("rotate").map_or(Ok(DQuat::IDENTITY), |value| turn(&value))?;
     let Some(texture) = section.get("texture") else {
         let radiance =
             radiance.ok_or_else(|| section.fault("key `radiance` or `texture` is missing"))?;
@@ -93,10 +96,11 @@ fn environment(section: &Section, _: usize, draft: &mut Draft) -> Result<(), Sce
         return Ok(());
     };
     let origin = texture.origin();
-    let path = origin.file.parent().unwrap_or(Path::new("")).join(texture.string()?);
-    let (read, warning) = environment::read(&path, radiance.unwrap_or(DVec3::ONE), &origin);
+    let path = texture.path(&mut draft.warnings)?;
+    let radiance = radiance.unwrap_or(DVec3::splat(scale));
+    let (read, warnings) = environment::read(&path, radiance, turn, &origin);
     draft.environment = Some(read);
-    draft.warnings.extend(warning);
+    draft.warnings.extend(warnings);
     Ok(())
 }
 
@@ -104,6 +108,14 @@ fn environment(section: &Section, _: usize, draft: &mut Draft) -> Result<(), Sce
 fn direction(section: &Section, key: &str) -> Result<DVec3, SceneError> {
     let value = section.required(key)?;
     value.vector()?.try_normalize().ok_or_else(|| value.fault("must not be 0"))
+}
+
+/// How surroundings are turned: by degrees about up, or about X, then Y, then Z.
+fn turn(value: &Value) -> Result<DQuat, SceneError> {
+    match value.is_array() {
+        true => rotation(value),
+        false => Ok(DQuat::from_rotation_y(value.number()?.to_radians())),
+    }
 }
 
 /// Adds the black material of an area light.

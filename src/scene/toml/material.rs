@@ -1,7 +1,5 @@
 //! The `[materials.NAME]` tables.
 
-use std::path::Path;
-
 use glam::DVec3;
 
 use crate::scene::document::{Section, Value};
@@ -87,7 +85,7 @@ pub fn named(
 
 fn texture(value: &Value, draft: &mut Draft) -> Result<u32, SceneError> {
     let origin = value.origin();
-    let path = origin.file.parent().unwrap_or(Path::new("")).join(value.string()?);
+    let path = value.path(&mut draft.warnings)?;
     Ok(draft.texture_file(&path, &origin))
 }
 

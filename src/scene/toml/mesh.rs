@@ -1,13 +1,12 @@
 //! The `[[mesh]]` tables.
 
 use std::collections::HashMap;
-use std::path::Path;
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, EulerRot};
 
 use crate::scene::document::{Section, Value};
-use crate::scene::mesh::Mesh;
-use crate::scene::{Draft, SceneError, gltf, obj};
+use crate::scene::mesh::{Mesh, affine};
+use crate::scene::{Draft, SceneError, Warning, gltf, obj};
 
 /// Least volume that a transform may make of a unit cube, over that of the box with edges
 /// as long: less is rounding.
@@ -21,7 +20,7 @@ pub fn read(
 ) -> Result<(), SceneError> {
     section.only(&["file", "material", "translate", "rotate", "scale", "matrix"])?;
     let transform = transform(section)?;
-    let mesh = load(section)?;
+    let mesh = load(section, &mut draft.warnings)?;
     let Some(material) = section.get("material") else {
         return mesh.add_to(draft, materials, &transform);
     };
@@ -41,10 +40,9 @@ pub fn read(
 
 /// Reads a mesh of any format. The camera and lights of a glTF file are not used: the scene
 /// file has its own.
-fn load(section: &Section) -> Result<Mesh, SceneError> {
+fn load(section: &Section, warnings: &mut Vec<Warning>) -> Result<Mesh, SceneError> {
     let file = section.required("file")?;
-    let name = file.string()?;
-    let path = section.file().parent().unwrap_or(Path::new("")).join(name);
+    let path = file.path(warnings)?;
     let extension = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
     match extension.as_deref() {
         Some("obj" | "gltf" | "glb") if !path.exists() => {
@@ -86,7 +84,7 @@ fn scale(value: &Value) -> Result<DVec3, SceneError> {
 }
 
 /// About X, then Y, then Z, in degrees.
-fn rotation(value: &Value) -> Result<DQuat, SceneError> {
+pub fn rotation(value: &Value) -> Result<DQuat, SceneError> {
     let [x, y, z] = value.vector()?.to_array().map(f64::to_radians);
     Ok(DQuat::from_euler(EulerRot::ZYX, z, y, x))
 }
@@ -94,8 +92,5 @@ fn rotation(value: &Value) -> Result<DQuat, SceneError> {
 /// Row-major; the last row must be that of an affine map.
 fn matrix(value: &Value) -> Result<DAffine3, SceneError> {
     let matrix = DMat4::from_cols_array(&value.numbers()?).transpose();
-    if matrix.row(3).to_array() != [0.0, 0.0, 0.0, 1.0] {
-        return Err(value.fault("must end in the row 0, 0, 0, 1"));
-    }
-    Ok(DAffine3::from_mat4(matrix))
+    affine(matrix).ok_or_else(|| value.fault("must end in the row 0, 0, 0, 1"))
 }
