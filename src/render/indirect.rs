@@ -76,7 +76,8 @@ impl<'a> IndirectLight<'a> {
         let subsets: Vec<Named<'_>> = interleave.iter().flat_map(Interleave::named).collect();
         let most = interleave.as_ref().map(|interleave| interleave.most_points(&tiling));
         let most = most.unwrap_or(tiling.most_points());
-        let corrections = settings.corrects().then(|| Corrections { rays: settings.correct, seed });
+        let corrections =
+            settings.corrects().then_some(Corrections { rays: settings.correct, seed });
         let gather = Gather::new(
             prepared,
             lights,
