@@ -6,7 +6,7 @@ struct CorrectParams {
     matrix_word: u32,
     words: u32,
     first_point: u32,
-    // Of each point.
+    // Of each point, for all chunks of the bit matrix.
     rays: u32,
     // The first of them in the sequence of its point.
     first_ray: u32,
@@ -15,8 +15,9 @@ struct CorrectParams {
     offset: f32,
     // Of the hierarchy.
     nodes: u32,
-    pad0: u32,
-    pad1: u32,
+    // Which chunk of the bit matrix this is, and of how many.
+    chunk: u32,
+    chunks: u32,
 }
 
 @group(0) @binding(0) var<storage, read> params: CorrectParams;

@@ -2,11 +2,13 @@
 
 mod clamped;
 mod columns;
+mod correct;
 mod interleave;
 mod irradiance;
 mod many_lights;
 
 pub use clamped::ClampedEnergy;
+pub use correct::Corrections;
 pub use interleave::Interleave;
 pub use irradiance::Irradiance;
-pub use many_lights::{Corrections, Gather, Sights, chunk_words};
+pub use many_lights::{Gather, Sights, chunk_words};

@@ -15,7 +15,7 @@ use gpu_vpl::scene::Scene;
 const TOLERANCE: Tolerance = Tolerance { relative: 1e-3, absolute: 1e-4, pixels: 5 };
 
 fn settings(method: Method) -> Settings {
-    Settings { light_paths: 150, ..Settings::of(method) }
+    Settings::of_vpls(method, 150)
 }
 
 #[test]

@@ -18,7 +18,7 @@ const BOUNDS: [Clamp; 3] = [Clamp::At(1e-6), Clamp::At(0.5), Clamp::Auto];
 
 fn compensated(method: Method, clamp: Clamp, bounces: Bounces) -> Settings {
     let light_paths = light_paths(4000, clamp);
-    Settings { compensate: true, clamp, bounces, light_paths, ..Settings::of(method) }
+    Settings { compensate: true, clamp, bounces, ..Settings::of_vpls(method, light_paths) }
 }
 
 /// So many light paths, or few where the bound leaves nothing to their VPLs.

@@ -97,6 +97,24 @@ fn every_pixel_has_the_light_of_its_own_rays() {
     }
 }
 
+/// Of more than one chunk of the bit matrix each point corrects some, whose number is right in the mean.
+#[test]
+fn rays_are_spread_over_many_lights() {
+    let prepared = prepare();
+    let many = |method, correct| {
+        let of = Settings { light_paths: 2000, ..settings(method, correct) };
+        let image = frame(&prepared, &of).image;
+        image.pixels.iter().map(|rgb| f64::from(rgb[1])).collect::<Vec<_>>()
+    };
+    let truth = many(Method::Vpl, 0);
+    let errors = [0, 1, 16, 256].map(|rays| squared_error(&many(Method::Both, rays), &truth));
+    let fall = errors[1] / errors[3];
+    assert!((180.0..360.0).contains(&fall), "{errors:?}");
+    let fall = errors[2] / errors[3];
+    assert!((12.0..21.0).contains(&fall), "{errors:?}");
+    assert!(errors[3] < errors[0], "{errors:?}");
+}
+
 #[test]
 fn the_error_falls_as_one_over_the_rays() {
     let prepared = prepare();

@@ -153,7 +153,7 @@ fn clusters_of_one_shade_glossy_points_as_vpls_do() {
 
 #[test]
 fn interleaved_subsets_share_lobes_too() {
-    let few = Settings { light_paths: 4000, ..Settings::of(Method::Both) };
+    let few = Settings::of_vpls(Method::Both, 4000);
     let all = Settings { interleave: 1, candidates: 1, ..few };
     let [one, other] = [few, all].map(|s| mean(&glossy_room(12.0).render(&s).image.pixels));
     for (one, other) in one.iter().zip(other) {
@@ -182,7 +182,7 @@ fn interleaved_subsets_are_shared_by_one_lobe() {
         build.camera(dvec3(0.0, -0.9, 0.9), dvec3(0.0, 0.6, -1.0), 40.0, [48, 48]);
         build
     };
-    let few = Settings { light_paths: 4000, direct: Direct::Off, ..Settings::of(Method::Both) };
+    let few = Settings { direct: Direct::Off, ..Settings::of_vpls(Method::Both, 4000) };
     let all = Settings { interleave: 1, candidates: 1, ..few };
     let [one, other] = [few, all].map(|s| mean(&scene().render(&s).image.pixels)[1]);
     assert!((one / other - 1.0).abs() < 0.02, "{one} for {other}");

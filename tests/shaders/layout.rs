@@ -132,7 +132,8 @@ fn records() -> Vec<Record> {
             points, rows, matrix_word, words, first_point, pad,
         }),
         record!(CorrectParams as "CorrectParams" {
-            points, rows, matrix_word, words, first_point, rays, first_ray, seed, offset, nodes, pad,
+            points, rows, matrix_word, words, first_point, rays, first_ray, seed, offset, nodes,
+            chunk, chunks,
         }),
         record!(PathRecord as "Path" { throughput, stream }),
         record!(PathSum as "PathSum" { mean, shadow_rays, squares, pad }),

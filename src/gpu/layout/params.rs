@@ -231,7 +231,7 @@ pub struct CorrectParams {
     pub words: u32,
     /// The first of the points.
     pub first_point: u32,
-    /// Rays of each point.
+    /// Rays of each point, for all chunks of the bit matrix.
     pub rays: u32,
     /// The first of them in the sequence of its point.
     pub first_ray: u32,
@@ -241,8 +241,10 @@ pub struct CorrectParams {
     pub offset: f32,
     /// Number of BVH nodes.
     pub nodes: u32,
-    /// Unused.
-    pub pad: [u32; 2],
+    /// Which chunk of the bit matrix this is.
+    pub chunk: u32,
+    /// Of how many.
+    pub chunks: u32,
 }
 
 /// What a path from the camera carries, 16 bytes.

@@ -5,8 +5,9 @@
 use std::ops::Range;
 
 use super::columns::ColumnBits;
+use super::correct::Corrections;
 use super::interleave::Subsets;
-use crate::gpu::{CorrectParams, ExpandParams, GpuError, ShadeParams, Texture, VisibilityParams};
+use crate::gpu::{ExpandParams, GpuError, ShadeParams, Texture, VisibilityParams};
 use crate::render::camera::Tile;
 use crate::render::clusters::PointClusters;
 use crate::render::kernels;
@@ -15,13 +16,10 @@ use crate::render::result::Phases;
 use crate::render::settings::Sharing;
 use crate::render::stage::{Named, Stage};
 use crate::render::visibility::{LightSet, Tracer};
-use crate::sampling::{SURFACE_OFFSET, hash};
 
 /// Words of 32 VPLs in a chunk of the bit matrix: 8 MiB for a tile's points. Also fixes the
 /// order of the sums, so it is no matter of tuning.
 const CHUNK_WORDS: u32 = 32;
-/// Keeps the random numbers of corrections apart from those of other stages.
-const CORRECTIONS: u32 = 0x636f_7272;
 /// Words of the bit matrix in a longer chunk, at most: 64 MiB.
 const MATRIX_WORDS: u32 = 1 << 24;
 
@@ -58,15 +56,6 @@ struct Chunk {
     shade: Stage,
     /// Corrects what was shared, if that is asked for.
     correct: Option<Stage>,
-}
-
-/// Shadow rays that correct shared visibility.
-#[derive(Debug, Clone, Copy)]
-pub struct Corrections {
-    /// Of each visible point.
-    pub rays: u32,
-    /// The seed of the frame.
-    pub seed: u32,
 }
 
 /// Gathers the light of a set of lights.
@@ -284,23 +273,13 @@ impl<'a> Gather<'a> {
             let groups = [points.div_ceil(64 * lane), 1];
             phases.shading += chunk.shade.run(self.prepared, &params, groups)?;
             if let (Some(correct), Some(corrections)) = (&chunk.correct, self.corrections) {
-                let Corrections { rays: each, seed } = corrections;
-                let params = CorrectParams {
-                    points,
-                    rows,
-                    matrix_word: run.first_word,
-                    words: run.words,
-                    first_point,
-                    rays: each,
-                    first_ray: tile.sample * each,
-                    seed: hash(hash(seed ^ CORRECTIONS) ^ hash(tile.first_block) ^ run.first_word),
-                    offset: SURFACE_OFFSET,
-                    nodes: self.prepared.bvh.nodes.len() as u32,
-                    pad: [0; 2],
-                };
-                phases.visibility +=
-                    correct.run(self.prepared, &params, [points.div_ceil(64), 1])?;
-                rays += u64::from(points * each);
+                let chunk = run.first_word % self.lights.words / self.chunk_words;
+                let chunks = self.lights.words.div_ceil(self.chunk_words);
+                let params = corrections.params(self.prepared, tile, &params, [chunk, chunks]);
+                let groups = [points.div_ceil(64), 1];
+                phases.visibility += correct.run(self.prepared, &params, groups)?;
+                let counts = if chunk == 0 { corrections.rays } else { 0 };
+                rays += u64::from(points) * u64::from(counts);
             }
         }
         Ok(rays)
