@@ -108,8 +108,8 @@ fn rays_are_spread_over_many_lights() {
     };
     let truth = many(Method::Vpl, 0);
     let errors = [0, 1, 16, 256].map(|rays| squared_error(&many(Method::Both, rays), &truth));
-    let fall = errors[1] / errors[3];
-    assert!((180.0..360.0).contains(&fall), "{errors:?}");
+    // A single ray has to stand for all chunks at once.
+    assert!(errors[1] > 12.0 * errors[2], "{errors:?}");
     let fall = errors[2] / errors[3];
     assert!((12.0..21.0).contains(&fall), "{errors:?}");
     assert!(errors[3] < errors[0], "{errors:?}");

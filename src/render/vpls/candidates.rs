@@ -91,7 +91,7 @@ mod tests {
 
     fn plan() -> (Plan, Settings, Vec<Sight>) {
         let scene = Scene::load("builtin:room").unwrap();
-        let settings = Settings { light_paths: 500, ..Settings::of(Method::Both) };
+        let settings = Settings::of_vpls(Method::Both, 500);
         let camera = scene.camera;
         let plan = Plan::new(scene, &settings, false);
         let sights = sights(&plan, &camera, 1 << 14, 5);
