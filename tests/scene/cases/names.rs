@@ -62,7 +62,7 @@ fn one_rule_finds_all_files() {
         ("\"m.mtl\"", "\"a b.png\"", ["m.mtl", "a b.png"]),
         // Composed here, decomposed there.
         ("m\u{e4}.mtl", "a\u{e9}.png", ["ma\u{308}.mtl", "ae\u{301}.png"]),
-        ("file:///home/who/m.mtl", "file:///C:/who/a.png", ["m.mtl", "a.png"]),
+        ("file:///D:/models/m.mtl", "file:///C:/maps/a.png", ["m.mtl", "a.png"]),
         // The library was renamed with its mesh.
         ("untitled.mtl", "a.png", ["m.mtl", "a.png"]),
     ] {
